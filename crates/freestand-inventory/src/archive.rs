@@ -10,8 +10,10 @@ use std::io::{Cursor, Read};
 use memchr::{memchr, memmem};
 use zip::ZipArchive;
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
+
+use super::problems::bad_file;
 
 /// Largest size of all unpacked members together \[bytes\]: about five million cells. A server
 /// reads several workbooks at a time.
@@ -47,7 +49,7 @@ const SAVE_AGAIN: &str = "open it in a spreadsheet program and save it again as 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Facts {
     /// Whether any sheet has merged cells.
-    pub(super) has_merges: bool,
+    pub has_merges: bool,
     /// The names of the sheets, each with the id of its member.
     sheets: Vec<(String, String)>,
     /// Members by their ids.
@@ -60,9 +62,9 @@ pub(super) struct Facts {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Hidden {
     /// Counted from 1.
-    pub(super) rows: Vec<u32>,
+    pub rows: Vec<u32>,
     /// First and last, counted from 0.
-    pub(super) columns: Vec<(u32, u32)>,
+    pub columns: Vec<(u32, u32)>,
 }
 
 impl Facts {
@@ -80,10 +82,6 @@ impl Facts {
     }
 }
 
-fn wrong(message: impl Into<String>, hint: &str) -> Problem {
-    Problem::new(ProblemKind::Format, message).hint(hint)
-}
-
 /// Unpacks everything once.
 ///
 /// # Errors
@@ -91,7 +89,7 @@ fn wrong(message: impl Into<String>, hint: &str) -> Problem {
 /// inventory needs.
 pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
     let damaged = |error: &dyn std::fmt::Display| {
-        wrong(
+        bad_file(
             format!("is a damaged workbook or zip file ({error})"),
             SAVE_AGAIN,
         )
@@ -102,7 +100,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             "is a zip file of {} members; a workbook has at most {MAX_MEMBERS}",
             archive.len()
         );
-        return Err(wrong(message, SAVE_AGAIN));
+        return Err(bad_file(message, SAVE_AGAIN));
     }
     let names: Vec<String> = archive
         .file_names_raw()
@@ -119,7 +117,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
             .by_index_raw(index)
             .is_ok_and(|member| member.encrypted())
         {
-            return Err(wrong(
+            return Err(bad_file(
                 "is encrypted",
                 "remove the password and save it again",
             ));
@@ -141,14 +139,14 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
                     "unpacks to more than {} MiB, which is too large for an inventory",
                     total >> 20
                 );
-                return Err(wrong(
+                return Err(bad_file(
                     message,
                     "copy the rows into a new workbook, or save them as CSV",
                 ));
             }
             if let Some(tags) = &mut tags {
                 tags.feed(chunk)
-                    .map_err(|what| wrong(format!("{} {what}", shorten(name)), SAVE_AGAIN))?;
+                    .map_err(|what| bad_file(format!("{} {what}", shorten(name)), SAVE_AGAIN))?;
             }
         }
         if let Some(tags) = tags {
@@ -158,7 +156,7 @@ pub(super) fn check(bytes: &[u8]) -> Result<Facts, Problem> {
                     shorten(name),
                     tags.texts_declared
                 );
-                return Err(wrong(message, SAVE_AGAIN));
+                return Err(bad_file(message, SAVE_AGAIN));
             }
             facts.has_merges |= tags.has_merges;
             facts.sheets.extend(tags.sheets);
@@ -185,46 +183,41 @@ fn is_workbook(names: &[String], bytes: &[u8]) -> Result<(), Problem> {
     let has = |name: &str| names.iter().any(|other| other.eq_ignore_ascii_case(name));
     let starts = |folder: &str| names.iter().any(|name| name.starts_with(folder));
     // The first member of an OpenDocument file is its type, not compressed.
-    if memmem::find(
+    let is_open_document = memmem::find(
         bytes.get(..200).unwrap_or(bytes),
         b"application/vnd.oasis.opendocument",
     )
-    .is_some()
-    {
-        return Err(wrong(
-            "is an OpenDocument file (ODS)",
-            "save the sheet as .xlsx or CSV",
-        ));
-    }
-    if has("xl/workbook.bin") {
-        return Err(wrong(
-            "is a binary workbook (XLSB)",
-            "save it as .xlsx or CSV",
-        ));
-    }
-    if let Some(inner) = names.iter().find(|name| {
+    .is_some();
+    let is_table = |name: &&String| {
+        let name = name.to_ascii_lowercase();
         [".xlsx", ".csv", ".xlsm", ".xls", ".ods"]
             .iter()
-            .any(|end| name.to_ascii_lowercase().ends_with(end))
-    }) {
-        return Err(wrong(
-            format!("is a zip file that contains {}", shorten(inner)),
-            "unpack it first",
-        ));
-    }
-    if starts("word/") || starts("ppt/") {
-        return Err(wrong(
+            .any(|end| name.ends_with(end))
+    };
+    let refused = if is_open_document {
+        (
+            "is an OpenDocument file (ODS)",
+            "save the sheet as .xlsx or CSV",
+        )
+    } else if has("xl/workbook.bin") {
+        ("is a binary workbook (XLSB)", "save it as .xlsx or CSV")
+    } else if let Some(inner) = names.iter().find(is_table) {
+        let message = format!("is a zip file that contains {}", shorten(inner));
+        return Err(bad_file(message, "unpack it first"));
+    } else if starts("word/") || starts("ppt/") {
+        (
             "is a text document or a presentation, not a workbook",
             "save the table as .xlsx or CSV",
-        ));
-    }
-    if !has("[Content_Types].xml") || !has("_rels/.rels") {
-        return Err(wrong(
+        )
+    } else if !has("[Content_Types].xml") || !has("_rels/.rels") {
+        (
             "is a zip file, but not a workbook",
             "unpack it first, and give the .xlsx or CSV file in it",
-        ));
-    }
-    Ok(())
+        )
+    } else {
+        return Ok(());
+    };
+    Err(bad_file(refused.0, refused.1))
 }
 
 /// Examines the tags of a member chunk by chunk.
@@ -315,57 +308,48 @@ impl Tags {
             b"row" => {
                 let place = attribute(inner, b"r").map(check_place).transpose()?;
                 self.row = place.map_or(self.row.saturating_add(1), |(_, row)| row);
-                self.hidden
-                    .rows
-                    .extend(is_hidden(inner, b"ht").then_some(self.row));
-                Ok(())
+                let hidden = is_hidden(inner, b"ht").then_some(self.row);
+                self.hidden.rows.extend(hidden);
             }
             b"col" => {
-                let number = |name| {
-                    std::str::from_utf8(attribute(inner, name)?)
-                        .ok()?
-                        .trim()
-                        .parse::<u32>()
-                        .ok()
-                };
-                let columns = number(b"min")
-                    .zip(number(b"max"))
-                    .filter(|_| is_hidden(inner, b"width"));
+                let columns = number::<u32>(inner, b"min").zip(number::<u32>(inner, b"max"));
+                let hidden = columns.filter(|_| is_hidden(inner, b"width"));
                 // Counted from 1 in the file.
                 self.hidden.columns.extend(
-                    columns.map(|(first, last)| (first.saturating_sub(1), last.saturating_sub(1))),
+                    hidden.map(|(first, last)| (first.saturating_sub(1), last.saturating_sub(1))),
                 );
-                Ok(())
             }
-            b"sheet" => {
-                self.sheets.extend(pair(inner, b"name", b"r:id"));
-                Ok(())
-            }
-            b"Relationship" => {
-                self.members.extend(pair(inner, b"Id", b"Target"));
-                Ok(())
-            }
-            b"c" => attribute(inner, b"r").map_or(Ok(()), |place| check_place(place).map(|_| ())),
+            b"sheet" => self.sheets.extend(pair(inner, b"name", b"r:id")),
+            b"Relationship" => self.members.extend(pair(inner, b"Id", b"Target")),
+            b"c" => _ = attribute(inner, b"r").map(check_place).transpose()?,
             b"dimension" | b"mergeCell" | b"f" => {
                 self.has_merges |= name == b"mergeCell";
-                attribute(inner, b"ref").map_or(Ok(()), check_range)
+                attribute(inner, b"ref").map_or(Ok(()), check_range)?;
             }
             b"sst" => {
-                let count = attribute(inner, b"uniqueCount")
-                    .and_then(|text| std::str::from_utf8(text).ok());
-                self.texts_declared = self.texts_declared.max(count.map_or(0, declared));
-                Ok(())
+                let count = text(inner, b"uniqueCount").map_or(0, declared);
+                self.texts_declared = self.texts_declared.max(count);
             }
-            _ => Ok(()),
+            _ => {}
         }
+        Ok(())
     }
+}
+
+/// The text of an attribute.
+fn text<'t>(inner: &'t [u8], name: &[u8]) -> Option<&'t str> {
+    std::str::from_utf8(attribute(inner, name)?).ok()
+}
+
+/// The number of an attribute.
+fn number<T: std::str::FromStr>(inner: &[u8], name: &[u8]) -> Option<T> {
+    text(inner, name)?.trim().parse().ok()
 }
 
 /// Whether a row or a column is not shown: by its mark, or because it has no size.
 fn is_hidden(inner: &[u8], size: &[u8]) -> bool {
-    let size = attribute(inner, size)
-        .and_then(|text| std::str::from_utf8(text).ok()?.trim().parse::<f64>().ok());
-    matches!(attribute(inner, b"hidden"), Some(b"1" | b"true")) || size == Some(0.0)
+    matches!(attribute(inner, b"hidden"), Some(b"1" | b"true"))
+        || number::<f64>(inner, size) == Some(0.0)
 }
 
 /// Two attributes as texts.
@@ -437,10 +421,8 @@ fn check_place(place: &[u8]) -> Result<(u32, u32), String> {
         .count();
     let (column, row) = place.split_at(letters);
     let no_place = || {
-        format!(
-            "refers to cell \"{}\", which no sheet has",
-            shorten(&String::from_utf8_lossy(place))
-        )
+        let place = shorten(&String::from_utf8_lossy(place));
+        format!("refers to cell \"{place}\", which no sheet has")
     };
     if column.len() > 3 || row.len() > 7 || !row.iter().all(u8::is_ascii_digit) {
         return Err(no_place());

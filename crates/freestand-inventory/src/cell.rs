@@ -57,16 +57,26 @@ impl Cell {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Row {
     /// Counted from 1, as in a spreadsheet.
-    pub(super) number: u32,
+    pub number: u32,
     /// Line of the file, where the file has lines.
-    pub(super) line: Option<usize>,
+    pub line: Option<usize>,
     /// The cells that are not empty with their columns, counted from 0, in rising order.
-    pub(super) cells: Vec<(u32, Cell)>,
+    pub cells: Vec<(u32, Cell)>,
     /// How many cells the row has in total, where the file says so.
-    pub(super) width: Option<u32>,
+    pub width: Option<u32>,
 }
 
 impl Row {
+    /// Without cells.
+    pub(super) fn new(number: u32) -> Self {
+        Self {
+            number,
+            line: None,
+            cells: Vec::new(),
+            width: None,
+        }
+    }
+
     /// Whether it contains only blanks.
     pub(super) fn is_blank(&self) -> bool {
         self.cells.iter().all(|(_, cell)| cell.is_blank())
@@ -80,6 +90,17 @@ impl Row {
             .ok()?;
         self.cells.get(at).map(|(_, cell)| cell)
     }
+
+    /// A cell as the sheet shows it.
+    pub(super) fn shown(&self, column: u32) -> String {
+        self.get(column).map(Cell::shown).unwrap_or_default()
+    }
+}
+
+/// The row with this number, if it is not empty.
+pub(super) fn row_at(rows: &[Row], number: u32) -> Option<&Row> {
+    let at = rows.binary_search_by_key(&number, |row| row.number).ok()?;
+    rows.get(at)
 }
 
 /// Whether the caller wants more rows.

@@ -11,7 +11,8 @@ use super::encoding::is_unprintable;
 use super::headings::{HeadingUnit, meaning};
 use super::layout::{Body, body, unevaluated};
 use super::source::{Sheet, load};
-use super::understood::{Evidence, understand};
+use super::understood::understand;
+use super::used::Evidence;
 use super::write::{Table, Written, csv, xlsx};
 
 /// A format to convert to.
@@ -67,11 +68,7 @@ pub fn convert_bytes(
     warnings.extend(source.formulas.warning());
     let (headings, body) = headings(&source);
     // A total that was not calculated is no object.
-    let is_left_out = |row: &Row| {
-        body.left_out
-            .binary_search_by_key(&row.number, |left| left.row)
-            .is_ok()
-    };
+    let is_left_out = |row: &Row| body.leaves_out(row);
     warnings.extend(unevaluated(&source.rows, &is_left_out));
     let kinds: Vec<Kind> = headings.iter().map(|text| kind(text)).collect();
     let below = source

@@ -5,6 +5,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::canonical;
 
 use super::numbers::plain;
+use super::vocabulary::{is_among, is_phrase};
 
 /// A number of the costs of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -69,117 +70,67 @@ pub(super) enum CostUnit {
     Bare,
 }
 
-/// A column of costs: its name, and its other headings in the form of [`canonical`].
+/// A column of costs: its name, and its other headings in the form of [`canonical`], `|` between two.
 pub(super) struct CostColumn {
-    pub(super) cost: Cost,
-    pub(super) name: &'static str,
-    pub(super) unit: CostUnit,
-    headings: &'static [&'static str],
+    pub cost: Cost,
+    pub name: &'static str,
+    pub unit: CostUnit,
+    headings: &'static str,
 }
 
-const DAYS: CostUnit = CostUnit::Named(&["day", "days", "d", "tage", "jours", "dias"]);
-const PER_YEAR: CostUnit = CostUnit::Named(&["1/yr", "/yr", "1/year"]);
+const fn column(
+    cost: Cost,
+    name: &'static str,
+    unit: CostUnit,
+    headings: &'static str,
+) -> CostColumn {
+    CostColumn {
+        cost,
+        name,
+        unit,
+        headings,
+    }
+}
+
+use CostUnit::{Bare, Money, Named};
+
+const DAYS: CostUnit = Named(&["day", "days", "d", "tage", "jours", "dias"]);
+const PER_YEAR: CostUnit = Named(&["1/yr", "/yr", "1/year"]);
 
 /// In the order of [`Cost`].
+#[rustfmt::skip]
 pub(super) const COST_COLUMNS: [CostColumn; 10] = [
-    CostColumn {
-        cost: Cost::Repair,
-        name: "repair_cost",
-        unit: CostUnit::Money(""),
-        headings: &[
-            "repair cost",
-            "cost of repair",
-            "repair",
-            "reparaturkosten",
-            "cout de reparation",
-            "costo de reparacion",
-        ],
-    },
-    CostColumn {
-        cost: Cost::Replacement,
-        name: "replacement_cost",
-        unit: CostUnit::Money(""),
-        headings: &[
-            "replacement cost",
-            "replacement value",
-            "cost of replacement",
-            "insured value",
-            "asset value",
-            "neuwert",
-            "wiederbeschaffungswert",
-            "valeur a neuf",
-            "valeur de remplacement",
-            "valor de reposicion",
-            "valore a nuovo",
-            "valor de reposicao",
-            "bedel",
-            "取得価額",
-            "重置价值",
-        ],
-    },
-    CostColumn {
-        cost: Cost::Downtime,
-        name: "downtime",
-        unit: DAYS,
-        headings: &["downtime", "downtime days", "ausfalltage"],
-    },
-    CostColumn {
-        cost: Cost::DowntimeDay,
-        name: "downtime_cost",
-        unit: CostUnit::Money("/day"),
-        headings: &["downtime cost", "cost of downtime", "ausfallkosten"],
-    },
-    CostColumn {
-        cost: Cost::CasualtyProbability,
-        name: "casualty_probability",
-        unit: CostUnit::Bare,
-        headings: &["casualty probability"],
-    },
-    CostColumn {
-        cost: Cost::Casualty,
-        name: "casualty_cost",
-        unit: CostUnit::Money(""),
-        headings: &["casualty cost"],
-    },
-    CostColumn {
-        cost: Cost::AcceptedRate,
-        name: "accepted_annual_rate",
-        unit: PER_YEAR,
-        headings: &["accepted annual rate"],
-    },
-    CostColumn {
-        cost: Cost::AcceptedExceedRate,
-        name: "accepted_exceed_annual_rate",
-        unit: PER_YEAR,
-        headings: &["accepted exceed annual rate"],
-    },
-    CostColumn {
-        cost: Cost::Longitude,
-        name: "longitude",
-        unit: CostUnit::Bare,
-        headings: &["longitude", "lon"],
-    },
-    CostColumn {
-        cost: Cost::Latitude,
-        name: "latitude",
-        unit: CostUnit::Bare,
-        headings: &["latitude", "lat"],
-    },
+    column(Cost::Repair, "repair_cost", Money(""),
+        "cost of repair|repair|reparaturkosten|cout de reparation|costo de reparacion"),
+    column(Cost::Replacement, "replacement_cost", Money(""),
+        "replacement value|cost of replacement|insured value|asset value|neuwert|wiederbeschaffungswert|valeur a neuf|\
+         valeur de remplacement|valor de reposicion|valore a nuovo|valor de reposicao|bedel|取得価額|重置价值"),
+    column(Cost::Downtime, "downtime", DAYS, "downtime days|ausfalltage"),
+    column(Cost::DowntimeDay, "downtime_cost", Money("/day"), "cost of downtime|ausfallkosten"),
+    column(Cost::CasualtyProbability, "casualty_probability", Bare, ""),
+    column(Cost::Casualty, "casualty_cost", Money(""), ""),
+    column(Cost::AcceptedRate, "accepted_annual_rate", PER_YEAR, ""),
+    column(Cost::AcceptedExceedRate, "accepted_exceed_annual_rate", PER_YEAR, ""),
+    column(Cost::Longitude, "longitude", Bare, "lon"),
+    column(Cost::Latitude, "latitude", Bare, "lat"),
 ];
+
+impl CostColumn {
+    fn named(name: &str) -> Option<&'static Self> {
+        COST_COLUMNS.iter().find(|column| column.name == name)
+    }
+}
 
 /// Whether a name is that of a column of costs; a mapping file may give it to a heading.
 pub fn cost_name(name: &str) -> Option<&'static str> {
-    COST_COLUMNS
-        .iter()
-        .find(|column| column.name == name)
-        .map(|column| column.name)
+    CostColumn::named(name).map(|column| column.name)
 }
 
 /// A heading of costs: `Replacement value NZD`, `downtime_cost [EUR/day]`.
 pub(super) struct CostHeading {
-    pub(super) column: &'static CostColumn,
+    pub column: &'static CostColumn,
     /// After the name, or of the mapping file.
-    pub(super) unit: Option<String>,
+    pub unit: Option<String>,
 }
 
 impl CostHeading {
@@ -189,7 +140,8 @@ impl CostHeading {
         let (name, unit) = name_and_unit(&text);
         let words = canonical(name);
         let is_it = |column: &&CostColumn| {
-            canonical(column.name) == words || column.headings.contains(&words.as_str())
+            canonical(column.name) == words
+                || !words.is_empty() && is_phrase(&words, column.headings)
         };
         COST_COLUMNS.iter().find(is_it).map(|column| Self {
             column,
@@ -201,13 +153,10 @@ impl CostHeading {
     pub(super) fn mapped(heading: &str, name: &str, unit: Option<String>) -> Option<Self> {
         let text = plain(heading);
         let own = || name_and_unit(&text).1.map(str::to_owned);
-        COST_COLUMNS
-            .iter()
-            .find(|column| column.name == name)
-            .map(|column| Self {
-                column,
-                unit: unit.or_else(own),
-            })
+        Some(Self {
+            column: CostColumn::named(name)?,
+            unit: unit.or_else(own),
+        })
     }
 
     /// The currency, where it is one of money.
@@ -225,22 +174,23 @@ impl CostHeading {
             Err(Problem::value(message, hint))
         };
         match self.column.unit {
-            CostUnit::Bare => Ok(None),
-            CostUnit::Named(words) => {
+            Bare => Ok(None),
+            Named(words) => {
                 let first = words.first().copied().unwrap_or_default();
                 let in_heading = canonical(heading);
-                match unit {
-                    Some(unit) if words.contains(&unit.to_lowercase().as_str()) => Ok(None),
-                    None if words
+                let is_stated = match unit {
+                    Some(unit) => words.contains(&unit.to_lowercase().as_str()),
+                    None => words
                         .iter()
-                        .any(|word| word.len() > 3 && in_heading.ends_with(word)) =>
-                    {
-                        Ok(None)
-                    }
-                    _ => refused(&format!("is not in {first}"), first),
+                        .any(|word| word.len() > 3 && in_heading.ends_with(word)),
+                };
+                if is_stated {
+                    Ok(None)
+                } else {
+                    refused(&format!("is not in {first}"), first)
                 }
             }
-            CostUnit::Money(per) => {
+            Money(per) => {
                 let currency = unit
                     .and_then(|unit| unit.strip_suffix(per))
                     .map(str::trim)
@@ -303,12 +253,10 @@ pub(super) fn code(currency: &str) -> &str {
 
 /// Whether a cell may state this currency in a column of that one: its code, or its sign.
 pub(super) fn is_of(cell: &str, column: &str) -> bool {
-    const DOLLARS: [&str; 12] = [
-        "ARS", "AUD", "CAD", "CLP", "COP", "FJD", "HKD", "MXN", "NZD", "SGD", "TWD", "USD",
-    ];
+    const DOLLARS: &str = "ARS AUD CAD CLP COP FJD HKD MXN NZD SGD TWD USD";
     let (cell, column) = (code(cell), code(column));
     match cell {
-        "$" => column == "$" || DOLLARS.contains(&column),
+        "$" => column == "$" || is_among(column, DOLLARS),
         "¥" => matches!(column, "¥" | "JPY" | "CNY"),
         _ => cell == column,
     }

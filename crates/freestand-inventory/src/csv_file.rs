@@ -1,8 +1,9 @@
 //! Reads the rows of a CSV.
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 
 use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
+use super::problems::bad_file;
 use freestand_input::formula::unguarded;
 
 /// Longest row \[bytes\]: more than all columns of a sheet with a few words each.
@@ -28,12 +29,8 @@ pub(super) fn rows(
     loop {
         let start = reader.position().byte();
         let more = reader.read_record(&mut record).map_err(|error| {
-            Problem::new(
-                ProblemKind::Format,
-                format!("cannot be read as CSV: {error}"),
-            )
-            .at_line(line)
-            .hint("save the sheet again as CSV (UTF-8) or as .xlsx")
+            let hint = "save the sheet again as CSV (UTF-8) or as .xlsx";
+            bad_file(format!("cannot be read as CSV: {error}"), hint).at_line(line)
         })?;
         if !more {
             return Ok(());
@@ -105,11 +102,7 @@ fn check_row(
     line: usize,
     length: u64,
 ) -> Result<(), Problem> {
-    let wrong = |message: String, hint: &str| {
-        Err(Problem::new(ProblemKind::Format, message)
-            .at_line(line)
-            .hint(hint))
-    };
+    let wrong = |message: String, hint: &str| Err(bad_file(message, hint).at_line(line));
     if number > MAX_ROWS {
         return wrong(
             format!("the file has more than {MAX_ROWS} rows, the limit of a sheet"),

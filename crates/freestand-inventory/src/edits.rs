@@ -8,7 +8,7 @@ use super::edit::Edit;
 use super::layout::Header;
 use super::problems::{Finding, Kind};
 use super::source::Sheet;
-use super::understood::Understood;
+use super::used::Understood;
 
 impl Sheet {
     /// Replaces the content of cells below the headings; a text in the row of the headings, where none is, adds a

@@ -2,7 +2,9 @@
 
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
+
+use super::problems::bad_file;
 
 /// Bytes of a file that are examined to detect UTF-16 without a byte-order mark.
 const EXAMINED_BYTES: usize = 4096;
@@ -15,7 +17,7 @@ const SAVE_AGAIN: &str = "save the sheet as CSV (UTF-8) or as .xlsx";
 /// A file that is empty or is not text.
 pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Problem> {
     if let Some(what) = other_kind(&bytes) {
-        return Err(format_problem(format!("is {what}, not an inventory")).hint(SAVE_AGAIN));
+        return Err(bad_file(format!("is {what}, not an inventory"), SAVE_AGAIN));
     }
     let (encoding, mark) =
         Encoding::for_bom(&bytes).map_or((None, 0), |(encoding, mark)| (Some(encoding), mark));
@@ -27,7 +29,7 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
             bytes.get(mark..).unwrap_or_default(),
         );
         let text = text.filter(|text| !text.chars().any(is_unprintable));
-        let text = text.ok_or_else(|| format_problem("is damaged UTF-16 text").hint(SAVE_AGAIN))?;
+        let text = text.ok_or_else(|| bad_file("is damaged UTF-16 text", SAVE_AGAIN))?;
         return not_empty(text.into_owned()).map(|text| (text, None));
     }
     bytes.drain(..mark);
@@ -45,9 +47,8 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
         } else {
             "a control character"
         };
-        return Err(format_problem(format!("is not text: it contains {what}"))
-            .at_line(line)
-            .hint(SAVE_AGAIN));
+        let message = format!("is not text: it contains {what}");
+        return Err(bad_file(message, SAVE_AGAIN).at_line(line));
     }
     match String::from_utf8(bytes) {
         Ok(text) => not_empty(text).map(|text| (text, None)),
@@ -62,14 +63,10 @@ pub(super) fn decode(mut bytes: Vec<u8>) -> Result<(String, Option<String>), Pro
     }
 }
 
-fn format_problem(message: impl Into<String>) -> Problem {
-    Problem::new(ProblemKind::Format, message)
-}
-
 fn not_empty(text: String) -> Result<String, Problem> {
     if text.trim().is_empty() {
-        return Err(format_problem("the file is empty")
-            .hint("freestand inventory template writes one to fill in"));
+        let hint = "freestand inventory template writes one to fill in";
+        return Err(bad_file("the file is empty", hint));
     }
     Ok(text)
 }

@@ -1,9 +1,12 @@
 //! The name of a floor as the height of the floor over the height of the building.
 
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 use freestand_input::words::canonical;
 use freestand_study::study::FirstFloor;
+
+use super::vocabulary::{by_word, is_among, is_phrase};
 
 /// What is known about the floors of the building.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -38,115 +41,29 @@ pub(super) enum Storey {
     FromOne(u32),
 }
 
-const GROUND: [&str; 38] = [
-    "zemin",
-    "zemin kat",
-    "terreo",
-    "res do chao",
-    "rez de chao",
-    "r c",
-    "giris kat",
-    "地面",
-    "g",
-    "gf",
-    "gr",
-    "ground",
-    "ground floor",
-    "ground level",
-    "lobby",
-    "0",
-    "00",
-    "l0",
-    "eg",
-    "erdgeschoss",
-    "parterre",
-    "rdc",
-    "rez de chaussee",
-    "rez",
-    "r 0",
-    "pb",
-    "planta baja",
-    "baja",
-    "pt",
-    "piano terra",
-    "terra",
-    "terreno",
-    "p 0",
-    "street level",
-    "main floor",
-    "地上",
-    "bajos",
-    "planta 0",
-];
-const BELOW: [&str; 27] = [
-    "bodrum",
-    "bodrum kat",
-    "subsolo",
-    "cave",
-    "below ground",
-    "lg",
-    "basement",
-    "lower ground",
-    "garage",
-    "cellar",
-    "ug",
-    "kg",
-    "kellergeschoss",
-    "keller",
-    "untergeschoss",
-    "tiefgarage",
-    "sous sol",
-    "ss",
-    "sotano",
-    "seminterrato",
-    "interrato",
-    "地下",
-    "lower ground floor",
-    "parking",
-    "semisotano",
-    "cantina",
-    "地下室",
-];
-const ROOF: [&str; 16] = [
-    "catı",
-    "cati",
-    "telhado",
-    "屋顶",
-    "楼顶",
-    "roof",
-    "rf",
-    "dach",
-    "toiture",
-    "toit",
-    "azotea",
-    "cubierta",
-    "copertura",
-    "tetto",
-    "屋上",
-    "terraza",
-];
-const TOP: [&str; 10] = [
-    "catı katı",
-    "sotao",
-    "dg",
-    "dachgeschoss",
-    "attic",
-    "penthouse",
-    "ph",
-    "combles",
-    "atico",
-    "attico",
-];
-const MEZZANINE: [&str; 8] = [
-    "mezzanine",
-    "mezz",
-    "m",
-    "zwischengeschoss",
-    "entresol",
-    "entresuelo",
-    "mezzanino",
-    "ammezzato",
-];
+/// Names of floors, `|` between two.
+static NAMES: LazyLock<HashMap<&str, Storey>> = LazyLock::new(|| {
+    by_word(&[
+        (
+            Storey::Ground,
+            "zemin|zemin kat|terreo|res do chao|rez de chao|r c|giris kat|地面|g|gf|gr|ground|\
+             ground floor|ground level|lobby|0|00|l0|eg|erdgeschoss|parterre|rdc|rez de chaussee|rez|r 0|pb|\
+             planta baja|baja|pt|piano terra|terra|terreno|p 0|street level|main floor|地上|bajos|planta 0",
+        ),
+        (
+            Storey::Top,
+            "catı katı|sotao|dg|dachgeschoss|attic|penthouse|ph|combles|atico|attico",
+        ),
+        (
+            Storey::Mezzanine,
+            "mezzanine|mezz|m|zwischengeschoss|entresol|entresuelo|mezzanino|ammezzato",
+        ),
+    ])
+});
+const BELOW: &str = "bodrum|bodrum kat|subsolo|cave|below ground|lg|basement|lower ground|garage|cellar|ug|kg|\
+    kellergeschoss|keller|untergeschoss|tiefgarage|sous sol|ss|sotano|seminterrato|interrato|地下|\
+    lower ground floor|parking|semisotano|cantina|地下室";
+const ROOF: &str = "catı cati telhado 屋顶 楼顶 roof rf dach toiture toit azotea cubierta copertura tetto 屋上 terraza";
 
 /// What the name of a floor says; `None`: nothing known, or two floors: "basement/roof", "level 2 (roof of annex)".
 pub(super) fn storey(text: &str) -> Option<Storey> {
@@ -171,12 +88,9 @@ pub(super) fn storey(text: &str) -> Option<Storey> {
     let mut named = parts
         .split(['/', '(', ',', ';', '&'])
         .filter_map(one_storey);
-    let at_ground = |one: Storey| {
-        if one == Storey::Below {
-            Storey::Ground
-        } else {
-            one
-        }
+    let at_ground = |one| match one {
+        Storey::Below => Storey::Ground,
+        _ => one,
     };
     let first = named.next().map(at_ground);
     if named.any(|other| Some(at_ground(other)) != first) {
@@ -214,26 +128,14 @@ fn one_storey(text: &str) -> Option<Storey> {
         return None;
     }
     let w = words.as_str();
-    if GROUND.contains(&w) {
-        return Some(Storey::Ground);
+    if let Some(found) = NAMES.get(w) {
+        return Some(*found);
     }
-    if TOP.contains(&w) {
-        return Some(Storey::Top);
-    }
-    if MEZZANINE.contains(&w) {
-        return Some(Storey::Mezzanine);
-    }
-    let is_roof = ROOF
-        .iter()
-        .any(|word| w.split(' ').any(|part| part == *word))
+    let is_roof = w.split(' ').any(|word| is_among(word, ROOF))
         || ["屋上", "roof"].iter().any(|word| w.contains(word));
-    let is_below = BELOW.contains(&w)
-        || w.split(' ').any(|word| {
-            matches!(
-                word,
-                "basement" | "garage" | "sotano" | "seminterrato" | "untergeschoss"
-            )
-        })
+    let is_below = is_phrase(w, BELOW)
+        || w.split(' ')
+            .any(|word| is_among(word, "basement garage sotano seminterrato untergeschoss"))
         || w.starts_with("地下")
         || w.starts_with("sous sol");
     match (is_below, is_roof) {
@@ -256,125 +158,63 @@ fn one_storey(text: &str) -> Option<Storey> {
 fn is_numbered_roof(words: &str) -> bool {
     let rest: Vec<&str> = words
         .split(' ')
-        .filter(|word| !ROOF.contains(word) && !word.contains("roof"))
+        .filter(|word| !is_among(word, ROOF) && !word.contains("roof"))
         .collect();
     rest.len() < words.split(' ').count() && one_storey(&rest.join(" ")).is_some()
 }
 
 /// Whether a text is only a word for a floor.
 fn is_level_word(text: &str) -> bool {
-    matches!(
-        canonical(text).as_str(),
-        "l" | "lv"
-            | "lvl"
-            | "level"
-            | "floor"
-            | "fl"
-            | "f"
-            | "storey"
-            | "story"
-            | "etage"
-            | "niveau"
-            | "ebene"
-            | "kat"
-            | "piso"
-            | "planta"
-            | "nivel"
-            | "piano"
-            | "livello"
-            | "andar"
+    is_among(
+        &canonical(text),
+        "l lv lvl level floor fl f storey story etage niveau ebene kat piso planta nivel piano livello andar",
     )
 }
 
 /// The number of `first`, `Second floor`, `erster Stock`.
 fn ordinal(words: &str) -> Option<u32> {
-    const ORDINALS: [&[&str]; 10] = [
-        &[
-            "first", "erste", "erster", "erstes", "premier", "primer", "primera", "primo",
-            "primeiro", "birinci",
-        ],
-        &[
-            "second", "zweite", "zweiter", "zweites", "deuxieme", "segundo", "segunda", "secondo",
-            "ikinci",
-        ],
-        &[
-            "third",
-            "dritte",
-            "dritter",
-            "drittes",
-            "troisieme",
-            "tercer",
-            "tercera",
-            "terzo",
-            "terceiro",
-            "ucuncu",
-        ],
-        &[
-            "fourth",
-            "vierte",
-            "vierter",
-            "viertes",
-            "quatrieme",
-            "cuarto",
-            "cuarta",
-            "quarto",
-            "dorduncu",
-        ],
-        &[
-            "fifth",
-            "funfte",
-            "funfter",
-            "cinquieme",
-            "quinto",
-            "quinta",
-            "besinci",
-        ],
-        &[
-            "sixth",
-            "sechste",
-            "sechster",
-            "sixieme",
-            "sexto",
-            "sexta",
-            "sesto",
-            "altıncı",
-        ],
-        &[
-            "seventh", "siebte", "siebter", "septieme", "septimo", "septima", "settimo", "yedinci",
-        ],
-        &[
-            "eighth",
-            "achte",
-            "achter",
-            "huitieme",
-            "octavo",
-            "octava",
-            "ottavo",
-            "sekizinci",
-        ],
-        &[
-            "ninth",
-            "neunte",
-            "neunter",
-            "neuvieme",
-            "noveno",
-            "novena",
-            "nono",
-            "dokuzuncu",
-        ],
-        &[
-            "tenth", "zehnte", "zehnter", "dixieme", "decimo", "decima", "onuncu",
-        ],
-    ];
+    static ORDINALS: LazyLock<HashMap<&str, u32>> = LazyLock::new(|| {
+        by_word(&[
+            (
+                1,
+                "first|erste|erster|erstes|premier|primer|primera|primo|primeiro|birinci",
+            ),
+            (
+                2,
+                "second|zweite|zweiter|zweites|deuxieme|segundo|segunda|secondo|ikinci",
+            ),
+            (
+                3,
+                "third|dritte|dritter|drittes|troisieme|tercer|tercera|terzo|terceiro|ucuncu",
+            ),
+            (
+                4,
+                "fourth|vierte|vierter|viertes|quatrieme|cuarto|cuarta|quarto|dorduncu",
+            ),
+            (5, "fifth|funfte|funfter|cinquieme|quinto|quinta|besinci"),
+            (
+                6,
+                "sixth|sechste|sechster|sixieme|sexto|sexta|sesto|altıncı",
+            ),
+            (
+                7,
+                "seventh|siebte|siebter|septieme|septimo|septima|settimo|yedinci",
+            ),
+            (
+                8,
+                "eighth|achte|achter|huitieme|octavo|octava|ottavo|sekizinci",
+            ),
+            (
+                9,
+                "ninth|neunte|neunter|neuvieme|noveno|novena|nono|dokuzuncu",
+            ),
+            (10, "tenth|zehnte|zehnter|dixieme|decimo|decima|onuncu"),
+        ])
+    });
     let (first, rest) = words.split_once(' ').unwrap_or((words, ""));
-    let is_floor = rest.is_empty()
-        || is_level_word(rest)
-        || matches!(rest, "stock" | "stockwerk" | "obergeschoss");
-    let number = (1..)
-        .zip(ORDINALS)
-        .find(|(_, names)| names.contains(&first))
-        .map(|(number, _)| number);
-    number.filter(|_| is_floor)
+    let is_floor =
+        rest.is_empty() || is_level_word(rest) || is_among(rest, "stock stockwerk obergeschoss");
+    ORDINALS.get(first).copied().filter(|_| is_floor)
 }
 
 /// `3`, `L3`, `Level 3`, `3rd`, `2nd floor`, `3. OG`, `R+3`, `3e étage`, `planta 3`, `3° piano`,
@@ -393,57 +233,46 @@ fn numbered(text: &str, words: &str) -> Option<Storey> {
     if after.chars().any(|c| c.is_ascii_digit()) || text.contains("½") {
         return None;
     }
-    let is_zero = number == 0;
-    let pick = |found: Storey| {
-        if is_zero {
-            Some(Storey::Ground)
-        } else {
-            Some(found)
-        }
-    };
-    match (before, after) {
-        ("b" | "ug" | "basement" | "sotano" | "sous sol" | "s" | "p" | "u" | "sub", "")
-            if before != "p" && before != "s" =>
-        {
-            Some(Storey::Below)
-        }
-        ("", "ug" | "untergeschoss" | "u g" | "sous sol" | "sotano") => Some(Storey::Below),
-        ("", "og" | "o g" | "obergeschoss" | "ober") | ("og" | "obergeschoss" | "r", "") => {
-            pick(Storey::Above(number))
-        }
-        (
-            "",
-            "e etage" | "er etage" | "eme etage" | "ere etage" | "ieme etage" | "etage" | "stock"
-            | "stockwerk" | "er" | "eme" | "ere" | "ieme",
-        )
-        | ("etage" | "kat" | "andar", "")
-        | ("", "kat" | "o andar" | "andar" | "a kat") => pick(Storey::Above(number)),
-        // "3E" may be a wing in the east.
-        ("", "e") if text.contains(&format!("{}e", &rest[..length])) => pick(Storey::Above(number)),
-        ("piano" | "planta", "") | ("", "o piano" | "piano" | "a planta" | "planta") => {
-            pick(Storey::Above(number))
-        }
-        ("", "階" | "f階" | "楼" | "层" | "樓" | "层楼") => pick(Storey::FromOne(number)),
-        (
-            "",
-            "" | "st" | "nd" | "rd" | "th" | "o" | "a" | "f" | "fl" | "flr" | "floor" | "level"
-            | "storey" | "story" | "st floor" | "nd floor" | "rd floor" | "th floor",
-        )
-        | (
-            "",
-            "st fl" | "nd fl" | "rd fl" | "th fl" | "st flr" | "nd flr" | "rd flr" | "th flr"
-            | "st level" | "nd level" | "rd level" | "th level" | "geschoss" | "piso" | "o piso"
-            | "livello" | "niveau" | "st storey" | "nd storey" | "rd storey" | "th storey",
-        )
-        | (
-            "l" | "lv" | "lvl" | "level" | "floor" | "fl" | "flr" | "f" | "storey" | "story" | "no"
-            | "geschoss" | "stock" | "niveau" | "niv" | "n" | "piso" | "nivel" | "livello"
-            | "floor no",
-            "",
-        ) => pick(Storey::Numbered(number)),
-        _ => None,
+    // "3E" may be a wing in the east.
+    if (before, after) == ("", "e") && !text.contains(&format!("{}e", &rest[..length])) {
+        return None;
     }
+    let is_it = |(in_front, behind, _): &&NumberForm| {
+        before.is_empty() && is_phrase(after, behind)
+            || after.is_empty() && !before.is_empty() && is_phrase(before, in_front)
+    };
+    let (.., found) = NUMBERED.iter().find(is_it)?;
+    Some(match found(number) {
+        Storey::Below => Storey::Below,
+        _ if number == 0 => Storey::Ground,
+        found => found,
+    })
 }
+
+type NumberForm = (&'static str, &'static str, fn(u32) -> Storey);
+
+/// Words in front of a number and behind it, `|` between two, and what the number then is.
+const NUMBERED: [NumberForm; 4] = [
+    (
+        "b|ug|basement|sotano|sous sol|u|sub",
+        "ug|untergeschoss|u g|sous sol|sotano",
+        |_| Storey::Below,
+    ),
+    (
+        "og|obergeschoss|r|etage|kat|andar|piano|planta",
+        "og|o g|obergeschoss|ober|e|e etage|er etage|eme etage|ere etage|ieme etage|etage|stock|stockwerk|er|eme|\
+         ere|ieme|kat|o andar|andar|a kat|o piano|piano|a planta|planta",
+        Storey::Above,
+    ),
+    ("", "階|f階|楼|层|樓|层楼", Storey::FromOne),
+    (
+        "l|lv|lvl|level|floor|fl|flr|f|storey|story|no|geschoss|stock|niveau|niv|n|piso|nivel|livello|floor no",
+        "|st|nd|rd|th|o|a|f|fl|flr|floor|level|storey|story|st floor|nd floor|rd floor|th floor|st fl|nd fl|rd fl|\
+         th fl|st flr|nd flr|rd flr|th flr|st level|nd level|rd level|th level|geschoss|piso|o piso|livello|niveau|\
+         st storey|nd storey|rd storey|th storey",
+        Storey::Numbered,
+    ),
+];
 
 /// The form in which names of floors are compared: without case, blanks, and the words for a floor.
 fn bare(text: &str) -> String {
@@ -517,28 +346,29 @@ impl FloorFinder {
         }
     }
 
+    /// The storeys between the ground and a floor with this number.
+    fn above_ground(&self, number: u32) -> u32 {
+        match self.first {
+            FirstFloor::Ground => number.saturating_sub(1),
+            FirstFloor::Above => number,
+        }
+    }
+
     /// What tells this floor from the others of its building; `None`: its name is not understood. "Level 6",
     /// "L6" and "6" are one floor.
     pub(super) fn identity(&self, text: &str) -> Option<(u8, u32)> {
-        let digits = || {
-            text.chars()
-                .filter(char::is_ascii_digit)
-                .collect::<String>()
-                .parse()
-                .unwrap_or(0)
-        };
         Some(match storey(text)? {
             Storey::Ground => (0, 0),
-            Storey::Below => (1, digits()),
+            Storey::Below => {
+                let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+                (1, digits.parse().unwrap_or(0))
+            }
             Storey::Roof => (2, 0),
             Storey::Top => (3, 0),
             Storey::Mezzanine => (4, 0),
             Storey::Above(number) => (5, number),
             Storey::FromOne(number) => (5, number.saturating_sub(1)),
-            Storey::Numbered(number) if self.first == FirstFloor::Ground => {
-                (5, number.saturating_sub(1))
-            }
-            Storey::Numbered(number) => (5, number),
+            Storey::Numbered(number) => (5, self.above_ground(number)),
         })
     }
 
@@ -555,34 +385,35 @@ impl FloorFinder {
         let Some(storey) = storey(text) else {
             return Found::Unknown;
         };
-        // A building that is known by name has no other floors.
+        match storey {
+            Storey::Ground | Storey::Below => return Found::Ratio(0.0, false),
+            Storey::Roof => return Found::Ratio(1.0, false),
+            _ => {}
+        }
         let Some(storeys) = self.storeys else {
-            return match storey {
-                Storey::Ground | Storey::Below => Found::Ratio(0.0, false),
-                Storey::Roof => Found::Ratio(1.0, false),
-                _ if self.names.is_empty() => Found::NoStoreys,
-                _ => Found::Unknown,
+            // A building that is known by name has no other floors.
+            return if self.names.is_empty() {
+                Found::NoStoreys
+            } else {
+                Found::Unknown
             };
         };
-        let above = |number: u32, is_assumed: bool| {
-            if number as usize > storeys {
-                Found::Unknown
-            } else {
-                Found::Ratio(f64::from(number) / storeys as f64, is_assumed)
-            }
+        let share = |height: f64| Found::Ratio(height / storeys as f64, false);
+        let (number, is_assumed) = match storey {
+            Storey::Top => return share((storeys - 1) as f64),
+            Storey::Mezzanine => return share(0.5),
+            Storey::FromOne(number) => (number.saturating_sub(1), false),
+            Storey::Numbered(number) => (
+                self.above_ground(number),
+                self.is_assumed && self.first == FirstFloor::Above,
+            ),
+            Storey::Above(number) => (number, false),
+            Storey::Ground | Storey::Below | Storey::Roof => (0, false),
         };
-        match storey {
-            Storey::Ground | Storey::Below => Found::Ratio(0.0, false),
-            Storey::Roof => Found::Ratio(1.0, false),
-            Storey::Top => Found::Ratio((storeys - 1) as f64 / storeys as f64, false),
-            Storey::Mezzanine => Found::Ratio(0.5 / storeys as f64, false),
-            Storey::Above(number) => above(number, false),
-            Storey::FromOne(number) => above(number.saturating_sub(1), false),
-            Storey::Numbered(number) => match self.first {
-                FirstFloor::Ground => above(number.saturating_sub(1), false),
-                FirstFloor::Above => above(number, self.is_assumed),
-            },
+        if number as usize > storeys {
+            return Found::Unknown;
         }
+        Found::Ratio(f64::from(number) / storeys as f64, is_assumed)
     }
 }
 

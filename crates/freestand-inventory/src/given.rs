@@ -46,8 +46,8 @@ impl Value {
 
 /// The values of an object.
 pub(super) struct Given<'a> {
-    pub(super) values: &'a [(Column, Value)],
-    pub(super) told: RowFindings<'a>,
+    pub values: &'a [(Column, Value)],
+    pub told: RowFindings<'a>,
 }
 
 impl<'a> Given<'a> {

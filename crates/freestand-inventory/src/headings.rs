@@ -10,122 +10,100 @@ use super::columns::{COLUMNS, Column, Holds};
 use super::more_headings::MORE_HEADINGS;
 use super::numbers::plain;
 use super::units::{CellUnit, NoUnit, find};
+use super::vocabulary::is_among;
 
-/// The headings of a column: English, German, French, Spanish, Italian, Japanese; `|` between two.
+/// The headings of a column beside its name: English, German, French, Spanish, Italian, Japanese; `|` between two.
 /// Of two columns with headings of one name, the earlier in the list is read. `=` and a unit after
 /// a heading: it states its unit.
 #[rustfmt::skip]
-const HEADINGS: &[(Column, [&str; 6])] = &[
-    (Column::Id, ["id|asset no|asset number|asset id|asset|asset tag|tag|tag no|tag number|equip id|equipment id|equip no|equipment no|equipment number|\
+const HEADINGS: &[(Column, &[&str])] = &[
+    (Column::Id, &["id|asset no|asset number|asset id|asset|asset tag|tag|tag no|tag number|equip id|equipment id|equip no|equipment no|equipment number|\
                    object id|object no|item no|item number|item id|ref|ref no|reference|barcode|serial|serial no|serial number|code|inventory no|\
                    inventory number|inv no|no|number|num",
         "Inv.-Nr.|Inventarnummer|Inventar-Nr.|Gerätenummer|Geräte-Nr.|Objektnummer|Kennung|Kennzeichen|Nr.|Nummer|lfd. Nr.|Pos.|Pos.-Nr.",
         "N° d'inventaire|N° inventaire|numéro d'inventaire|référence|réf.|repère|N°|numéro", "código|nº de inventario|número de inventario|referencia|nº|núm.",
         "matricola|codice|numero inventario|n. inventario|n.", "管理番号|番号|資産番号|備品番号"]),
-    (Column::Item, ["item|nonstructural item|nonstructural component|description|component|object|name|equipment|item description|equipment description|\
+    (Column::Item, &["item|nonstructural item|nonstructural component|description|component|object|name|equipment|item description|equipment description|\
                      asset description|equipment name|item name|asset name|object name|article",
         "Bezeichnung|Gegenstand|Objekt|Gerät|Gerätebezeichnung|Benennung|Beschreibung", "désignation|objet|équipement|description|nom|libellé|appareil",
         "equipo|descripción|objeto|elemento|nombre|denominación", "descrizione|oggetto|apparecchio|attrezzatura|denominazione|nome",
         "品名|名称|機器名|品目|設備名"]),
-    (Column::Quantity, ["quantity|qty|qty.|count|no. off|no of|no. of|number of|number of items|no. of items|pcs|pieces|units|quant",
+    (Column::Quantity, &["quantity|qty|qty.|count|no. off|no of|no. of|number of|number of items|no. of items|pcs|pieces|units|quant",
         "Anzahl|Stück|Menge|Stückzahl|Stk.", "quantité|qté|nombre", "cantidad|cant.|uds.|unidades", "q.tà|quantità|qtà", "数量|個数|台数"]),
-    (Column::Priority, ["priority|prio", "Priorität", "priorité", "prioridad", "priorità", "優先度|優先順位"]),
-    (Column::Location, ["location|area|zone|department|dept", "Bereich|Abteilung|Standort|Ort", "lieu|emplacement|secteur|service",
+    (Column::Priority, &["priority|prio", "Priorität", "priorité", "prioridad", "priorità", "優先度|優先順位"]),
+    (Column::Location, &["location|area|zone|department|dept", "Bereich|Abteilung|Standort|Ort", "lieu|emplacement|secteur|service",
         "ubicación|zona|lugar", "ubicazione|posizione|reparto", "場所|設置場所|区域"]),
-    (Column::Building, ["building|block|bldg|building name", "Gebäude|Haus", "bâtiment|bât.", "edificio", "edificio", "建物|棟"]),
-    (Column::Floor, ["floor|level|storey|story|floor level|floor no|floor number|floor name|building level",
+    (Column::Building, &["building|block|bldg|building name", "Gebäude|Haus", "bâtiment|bât.", "edificio", "edificio", "建物|棟"]),
+    (Column::Floor, &["floor|level|storey|story|floor level|floor no|floor number|floor name|building level",
         "Etage|Geschoss|Geschoß|Stockwerk|Stock", "étage|niveau", "planta|piso|nivel", "piano|livello", "階|階数|フロア"]),
-    (Column::Room, ["room|room no|room number|room name|rm", "Raum|Zimmer|Raum-Nr.|Raumnummer", "salle|pièce|local|chambre", "sala|habitación|local",
+    (Column::Room, &["room|room no|room number|room name|rm", "Raum|Zimmer|Raum-Nr.|Raumnummer", "salle|pièce|local|chambre", "sala|habitación|local",
         "stanza|sala|locale", "部屋|室名|室"]),
-    (Column::LifeSafety, ["life safety|LS|life safety LS|consequence to life|life safety risk|life risk", "Personengefährdung|Lebensgefahr",
+    (Column::LifeSafety, &["life safety|LS|life safety LS|consequence to life|life safety risk|life risk", "Personengefährdung|Lebensgefahr",
         "sécurité des personnes", "seguridad de vida|seguridad de las personas", "sicurezza delle persone", "人命安全"]),
-    (Column::Property, ["property|property loss|PL|property loss PL|consequence to property|property risk", "Sachschaden", "dommages matériels|perte matérielle",
+    (Column::Property, &["property|property loss|PL|property loss PL|consequence to property|property risk", "Sachschaden", "dommages matériels|perte matérielle",
         "daños materiales|pérdida material", "danni materiali", "財産損失"]),
-    (Column::Function, ["function|functional loss|function loss|FL|functional loss FL|consequence to function|functional risk|loss of function", "Funktionsausfall",
+    (Column::Function, &["function|functional loss|function loss|FL|functional loss FL|consequence to function|functional risk|loss of function", "Funktionsausfall",
         "perte de fonction", "pérdida funcional|pérdida de función", "perdita di funzione", "機能損失"]),
-    (Column::LevelRatio, ["level_ratio|level ratio", "", "", "", "", ""]),
-    (Column::Height, ["height|ht|h|hgt|overall height|total height|height overall", "Höhe|Hoehe|Gesamthöhe", "hauteur|haut.", "alto|altura|alt.", "altezza",
+    (Column::Height, &["height|ht|h|hgt|overall height|total height|height overall", "Höhe|Hoehe|Gesamthöhe", "hauteur|haut.", "alto|altura|alt.", "altezza",
         "高さ|高"]),
-    (Column::Thickness, ["thickness|depth|d|dpt|overall depth|short side|depth overall", "Tiefe", "profondeur|prof.|épaisseur",
+    (Column::Thickness, &["thickness|depth|d|dpt|overall depth|short side|depth overall", "Tiefe", "profondeur|prof.|épaisseur",
         "fondo|profundidad|prof.", "profondità|prof.", "奥行|奥行き|厚さ"]),
-    (Column::Width, ["width|w|wd|overall width|width overall|length|l|len|long side", "Breite|Länge|Laenge", "largeur|larg.|longueur|long.",
+    (Column::Width, &["width|w|wd|overall width|width overall|length|l|len|long side", "Breite|Länge|Laenge", "largeur|larg.|longueur|long.",
         "ancho|anchura|largo|longitud", "larghezza|lunghezza", "幅|横幅|長さ"]),
-    (Column::BaseThickness, ["base_thickness|base thickness|base depth|foot spacing|feet spacing|foot spacing depth", "Fußabstand|Standtiefe|Basistiefe",
+    (Column::BaseThickness, &["base_thickness|base thickness|base depth|foot spacing|feet spacing|foot spacing depth", "Fußabstand|Standtiefe|Basistiefe",
         "profondeur de base|écartement des pieds", "fondo de base|separación de patas", "profondità base|interasse piedini", "脚間隔"]),
-    (Column::BaseWidth, ["base_width|base width|foot spacing width", "Standbreite|Basisbreite", "largeur de base", "ancho de base", "larghezza base", ""]),
-    (Column::CgHeight, ["cg_height|cg height|c.g. height|c.g.|cg|cog|height of cg|height of c.g.|center of gravity|centre of gravity|center of gravity height|\
+    (Column::BaseWidth, &["base_width|base width|foot spacing width", "Standbreite|Basisbreite", "largeur de base", "ancho de base", "larghezza base"]),
+    (Column::CgHeight, &["cg_height|cg height|c.g. height|c.g.|cg|cog|height of cg|height of c.g.|center of gravity|centre of gravity|center of gravity height|\
                          centre of gravity height|height of center of gravity|height of centre of gravity|cog height",
         "Schwerpunkthöhe|Schwerpunkt|Höhe Schwerpunkt|Höhe des Schwerpunkts", "centre de gravité|hauteur du centre de gravité|hauteur cdg|cdg",
         "centro de gravedad|altura del centro de gravedad|altura cdg", "baricentro|altezza baricentro|altezza del baricentro", "重心|重心高さ|重心高"]),
-    (Column::Mass, ["mass|weight|wt|wgt|kg=kg|kgs=kg|lbs=lb|lb=lb|operating weight|operating mass|gross weight|gross mass|weight each|unit weight|unit mass|mass each",
+    (Column::Mass, &["mass|weight|wt|wgt|kg=kg|kgs=kg|lbs=lb|lb=lb|operating weight|operating mass|gross weight|gross mass|weight each|unit weight|unit mass|mass each",
         "Masse|Gewicht|Betriebsgewicht|Bruttogewicht|Einzelgewicht", "masse|poids|poids unitaire", "masa|peso|peso unitario", "massa|peso|peso unitario",
         "重量|質量"]),
-    (Column::Stiffness, ["stiffness|edge stiffness|stiffness of edge", "Kantensteifigkeit|Steifigkeit", "raideur|rigidité", "rigidez", "rigidezza", "剛性"]),
-    (Column::PadStiffness, ["pad_stiffness|pad stiffness|spring rate|foot stiffness", "Federrate|Federsteifigkeit|Fußsteifigkeit", "raideur du pied|raideur d'appui",
+    (Column::Stiffness, &["stiffness|edge stiffness|stiffness of edge", "Kantensteifigkeit|Steifigkeit", "raideur|rigidité", "rigidez", "rigidezza", "剛性"]),
+    (Column::PadStiffness, &["pad_stiffness|pad stiffness|spring rate|foot stiffness", "Federrate|Federsteifigkeit|Fußsteifigkeit", "raideur du pied|raideur d'appui",
         "rigidez de pata|constante de resorte", "rigidezza piedino", "ばね定数"]),
-    (Column::PadsPerEdge, ["pads_per_edge|pads per edge|feet per edge", "", "", "", "", ""]),
-    (Column::SeriesStiffness, ["series_stiffness|series stiffness", "", "", "", "", ""]),
-    (Column::Cushion, ["cushion|cushion entry", "", "", "", "", ""]),
-    (Column::PadThickness, ["pad_thickness|pad thickness", "", "", "", "", ""]),
-    (Column::Tolerance, ["tolerance|fragility|max shock|maximum shock|shock limit|shock rating|shock|allowable g=g|max g=g|g rating=g|g limit=g|allowable acceleration|\
+    (Column::PadsPerEdge, &["pads_per_edge|pads per edge|feet per edge"]),
+    (Column::Cushion, &["cushion|cushion entry"]),
+    (Column::Tolerance, &["tolerance|fragility|max shock|maximum shock|shock limit|shock rating|shock|allowable g=g|max g=g|g rating=g|g limit=g|allowable acceleration|\
                           allowable shock|tolerable acceleration|peak tolerance",
         "Stoßfestigkeit|zulässige Beschleunigung|zulässiger Stoß|Schockfestigkeit", "choc admissible|accélération admissible|choc max",
         "choque admisible|aceleración admisible", "urto ammissibile|accelerazione ammissibile", "許容加速度|許容衝撃"]),
-    (Column::ToleranceDuration, ["tolerance_duration|tolerance duration|tol duration|pulse|pulse duration|shock duration", "Stoßdauer|Pulsdauer", "durée du choc",
+    (Column::ToleranceDuration, &["tolerance_duration|tolerance duration|tol duration|pulse|pulse duration|shock duration", "Stoßdauer|Pulsdauer", "durée du choc",
         "duración del choque", "durata dell'urto", "作用時間"]),
-    (Column::ToleranceVelocityChange, ["tolerance_velocity_change|tolerance velocity change", "", "", "", "", ""]),
-    (Column::ToleranceEdgeLift, ["tolerance_edge_lift|tolerance edge lift", "", "", "", "", ""]),
-    (Column::ToleranceEntry, ["tolerance_entry|tolerance entry", "", "", "", "", ""]),
-    (Column::Restitution, ["restitution|coefficient of restitution", "", "", "", "", ""]),
-    (Column::RestitutionFactor, ["restitution_factor|restitution factor", "", "", "", "", ""]),
-    (Column::Friction, ["friction|friction coefficient|coefficient of friction", "Reibung|Reibbeiwert", "frottement", "rozamiento", "attrito", "摩擦係数"]),
-    (Column::Accepted, ["accepted|accepted probability", "", "", "", "", ""]),
-    (Column::Questions, ["questions|question", "", "", "", "", ""]),
-    (Column::Anchored, ["anchored|anchorage|anchor|restrained|restraint|bolted|fixed|secured|is anchored|fixing", "verankert|befestigt|Verankerung|Befestigung|gesichert",
+    (Column::Restitution, &["restitution|coefficient of restitution"]),
+    (Column::Friction, &["friction|friction coefficient|coefficient of friction", "Reibung|Reibbeiwert", "frottement", "rozamiento", "attrito", "摩擦係数"]),
+    (Column::Accepted, &["accepted|accepted probability"]),
+    (Column::Questions, &["questions|question"]),
+    (Column::Anchored, &["anchored|anchorage|anchor|restrained|restraint|bolted|fixed|secured|is anchored|fixing", "verankert|befestigt|Verankerung|Befestigung|gesichert",
         "fixé|fixé au mur|ancré|ancrage|fixation", "anclado|fijado|anclaje|fijación", "ancorato|fissato|ancoraggio|fissaggio", "固定|固定有無|転倒防止"]),
-    (Column::RestsOn, ["rests_on|rests on|feet|base|stands on|support|supports", "Füße|Untergrund|steht auf", "pieds|appui|repose sur",
+    (Column::RestsOn, &["rests_on|rests on|feet|base|stands on|support|supports", "Füße|Untergrund|steht auf", "pieds|appui|repose sur",
         "patas|apoyo", "piedini|appoggio", "脚|脚部"]),
-    (Column::WallGap, ["wall_gap|wall gap|gap to wall|distance to wall|distance from wall", "Wandabstand|Abstand zur Wand|Abstand von der Wand",
+    (Column::WallGap, &["wall_gap|wall gap|gap to wall|distance to wall|distance from wall", "Wandabstand|Abstand zur Wand|Abstand von der Wand",
         "distance au mur|écart au mur", "distancia a la pared", "distanza dal muro|distanza dalla parete", "壁からの距離|壁との隙間"]),
-    (Column::NeighbourGap, ["neighbour_gap|neighbour gap|neighbor gap|gap to neighbour|gap to neighbor", "Abstand zum Nachbarn", "écart au voisin", "distancia al vecino",
+    (Column::NeighbourGap, &["neighbour_gap|neighbour gap|neighbor gap|gap to neighbour|gap to neighbor", "Abstand zum Nachbarn", "écart au voisin", "distancia al vecino",
         "distanza dal vicino", "隣との隙間"]),
-    (Column::WallHeight, ["wall_height|wall height", "Wandhöhe", "hauteur du mur", "altura de la pared", "altezza del muro", ""]),
-    (Column::WallStiffness, ["wall_stiffness|wall stiffness", "Wandsteifigkeit", "", "", "", ""]),
-    (Column::WallRestitution, ["wall_restitution|wall restitution", "", "", "", "", ""]),
-    (Column::Casters, ["casters|castors|caster|castor|wheels|wheel|wheeled|on wheels|on castors|on casters|mobile",
+    (Column::WallHeight, &["wall_height|wall height", "Wandhöhe", "hauteur du mur", "altura de la pared", "altezza del muro"]),
+    (Column::WallStiffness, &["wall_stiffness|wall stiffness", "Wandsteifigkeit"]),
+    (Column::Casters, &["casters|castors|caster|castor|wheels|wheel|wheeled|on wheels|on castors|on casters|mobile",
         "Rollen|Räder|Lenkrollen|fahrbar", "roulettes|roues|sur roulettes", "ruedas|con ruedas", "ruote|rotelle", "キャスター|車輪"]),
-    (Column::RollingResistance, ["rolling_resistance|rolling resistance", "Rollwiderstand", "résistance au roulement", "resistencia a la rodadura",
-        "resistenza al rotolamento", ""]),
-    (Column::Clearance, ["clearance|free distance|clear distance", "Freiraum|freier Weg", "dégagement|espace libre", "espacio libre", "spazio libero", ""]),
-    (Column::UpperHeight, ["upper_height|upper height", "", "", "", "", ""]),
-    (Column::UpperThickness, ["upper_thickness|upper thickness", "", "", "", "", ""]),
-    (Column::UpperMass, ["upper_mass|upper mass", "", "", "", "", ""]),
-    (Column::Notes, ["notes|note|comments|comment|remarks|remark|photo|photos|photo no", "Bemerkung|Bemerkungen|Anmerkung|Hinweis|Foto",
+    (Column::RollingResistance, &["rolling_resistance|rolling resistance", "Rollwiderstand", "résistance au roulement", "resistencia a la rodadura",
+        "resistenza al rotolamento"]),
+    (Column::Clearance, &["clearance|free distance|clear distance", "Freiraum|freier Weg", "dégagement|espace libre", "espacio libre", "spazio libero"]),
+    (Column::Notes, &["notes|note|comments|comment|remarks|remark|photo|photos|photo no", "Bemerkung|Bemerkungen|Anmerkung|Hinweis|Foto",
         "observations|remarques|remarque|commentaire", "observaciones|notas|comentarios", "note|osservazioni|annotazioni", "備考|注記|写真"]),
-    (Column::Dimensions, ["dimensions|dimension|dims|size|sizes|overall dimensions", "Maße|Abmessungen|Abmessung|Größe",
+    (Column::Dimensions, &["dimensions|dimension|dims|size|sizes|overall dimensions", "Maße|Abmessungen|Abmessung|Größe",
         "dimensions|encombrement|taille", "dimensiones|medidas|tamaño", "ingombro|dimensioni|misure", "寸法|外形寸法|サイズ"]),
-    (Column::Shape, ["shape|form|base shape|shape of base", "Form|Grundform|Grundriss", "forme", "forma", "forma", "形|形状"]),
-    (Column::Diameter, ["diameter|dia|diam|ø|base diameter|outer diameter|outside diameter", "Durchmesser|Außendurchmesser", "diamètre|diam.", "diámetro", "diametro", "直径|外径"]),
-    (Column::Unit, ["unit|uom|unit of measure|units of measure|unit of measurement|size unit|dimension unit|dimensions unit|length unit|weight unit|mass unit",
+    (Column::Shape, &["shape|form|base shape|shape of base", "Form|Grundform|Grundriss", "forme", "forma", "forma", "形|形状"]),
+    (Column::Diameter, &["diameter|dia|diam|ø|base diameter|outer diameter|outside diameter", "Durchmesser|Außendurchmesser", "diamètre|diam.", "diámetro", "diametro", "直径|外径"]),
+    (Column::Unit, &["unit|uom|unit of measure|units of measure|unit of measurement|size unit|dimension unit|dimensions unit|length unit|weight unit|mass unit",
         "Einheit|Einheiten|Maßeinheit|Längeneinheit|ME", "unité|unités|unité de mesure", "unidad|unidad de medida", "unità|unità di misura|UM", "単位"]),
 ];
 
 /// Headings of [`Column::Width`] for the longer side: with a width and without a depth, the width
 /// is the shorter one.
-const LONG_SIDES: [&str; 12] = [
-    "length",
-    "l",
-    "len",
-    "longside",
-    "lange",
-    "laenge",
-    "longueur",
-    "long",
-    "largo",
-    "longitud",
-    "lunghezza",
-    "長さ",
-];
+const LONG_SIDES: &str =
+    "length l len longside lange laenge longueur long largo longitud lunghezza 長さ";
 
 /// Letters that are sizes only beside others of their kind: German and French headings.
 const LETTERS: [(&str, Column); 4] = [
@@ -136,36 +114,8 @@ const LETTERS: [(&str, Column); 4] = [
 ];
 
 /// Words beside a name that do not change it.
-const QUALIFIERS: [&str; 28] = [
-    "overall",
-    "approx",
-    "approximate",
-    "max",
-    "maximum",
-    "est",
-    "estimated",
-    "nominal",
-    "external",
-    "outside",
-    "ca",
-    "total",
-    "of",
-    "the",
-    "item",
-    "object",
-    "if",
-    "known",
-    "gesamt",
-    "aussen",
-    "max",
-    "hors",
-    "tout",
-    "esterno",
-    "exterior",
-    "measured",
-    "dim",
-    "unit",
-];
+const QUALIFIERS: &str = "overall approx approximate max maximum est estimated nominal external outside ca \
+    total of the item object if known gesamt aussen max hors tout esterno exterior measured dim unit";
 
 /// A language that headings are written in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -175,6 +125,8 @@ pub(super) enum Language {
     Comma,
     /// Japanese and Chinese: floor 1 is the ground.
     EastAsian,
+    /// A mapping file says what it is.
+    Unsaid,
 }
 
 /// A heading of the table.
@@ -206,14 +158,17 @@ static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
             .zip(MORE_LANGUAGES)
             .map(move |one| (column, one))
     });
-    for (column, (texts, language)) in first.chain(more) {
+    let own = COLUMNS
+        .iter()
+        .map(|spec| (&spec.column, (&spec.name, English)));
+    for (column, (texts, language)) in first.chain(more).chain(own) {
         // Each language has its usual heading: "Inv.-Nr." is no worse than "Asset tag".
         for (rank, text) in (1..).zip(texts.split('|').filter(|text| !text.is_empty())) {
             let (name, unit) = text
                 .split_once('=')
                 .map_or((text, None), |(name, unit)| (name, Some(unit)));
             let key = squashed(name);
-            let is_long_side = *column == Column::Width && LONG_SIDES.contains(&key.as_str());
+            let is_long_side = *column == Column::Width && is_among(&key, LONG_SIDES);
             let entries = table.entry(key).or_default();
             if !entries.iter().any(|entry| entry.column == *column) {
                 entries.push(Entry {
@@ -232,27 +187,34 @@ static TABLE: LazyLock<HashMap<String, Vec<Entry>>> = LazyLock::new(|| {
 /// What a heading means.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Meaning {
-    pub(super) column: Column,
+    pub column: Column,
     /// Of two columns with one meaning, that with the lower rank is read.
-    pub(super) rank: u16,
-    pub(super) language: Language,
-    pub(super) unit: HeadingUnit,
-    pub(super) is_long_side: bool,
+    pub rank: u16,
+    pub language: Language,
+    pub unit: HeadingUnit,
+    pub is_long_side: bool,
     /// The order of sizes in a heading such as `Dimensions (H x W x D)`.
-    pub(super) order: Option<Vec<char>>,
+    pub order: Option<Vec<char>>,
 }
 
 impl Meaning {
-    /// What a mapping file says.
-    pub(super) fn mapped(column: Column, unit: Option<CellUnit>) -> Self {
-        let unit = unit.map_or(HeadingUnit::None, HeadingUnit::Stated);
+    /// A column of which nothing else is known.
+    pub(super) fn new(column: Column) -> Self {
         Self {
             column,
             rank: 0,
             language: Language::English,
-            unit,
+            unit: HeadingUnit::None,
             is_long_side: false,
             order: None,
+        }
+    }
+
+    /// What a mapping file says.
+    pub(super) fn mapped(column: Column, unit: Option<CellUnit>) -> Self {
+        Self {
+            unit: unit.map_or(HeadingUnit::None, HeadingUnit::Stated),
+            ..Self::new(column)
         }
     }
 }
@@ -313,12 +275,10 @@ fn of_order(text: &str, order: Vec<char>) -> Meaning {
             }),
     };
     Meaning {
-        column,
         rank: 50,
-        language: Language::English,
         unit,
-        is_long_side: false,
         order: Some(order),
+        ..Meaning::new(column)
     }
 }
 
@@ -328,18 +288,11 @@ pub(super) fn letter_meaning(text: &str) -> Option<Meaning> {
     let (name, unit) = bracketed(&text).map_or((text.as_str(), ""), |(name, unit, _)| (name, unit));
     let letter = squashed(name);
     let (_, column) = LETTERS.iter().find(|(other, _)| *other == letter)?;
-    let unit = if unit.is_empty() {
-        HeadingUnit::None
-    } else {
-        stated(unit, *column)
-    };
     Some(Meaning {
-        column: *column,
         rank: 90,
         language: Language::Comma,
-        unit,
-        is_long_side: false,
-        order: None,
+        unit: stated(unit, *column),
+        ..Meaning::new(*column)
     })
 }
 
@@ -429,23 +382,13 @@ fn named(text: &str) -> Option<Meaning> {
         .iter()
         .find(|entry| is_sizes && entry.column == Column::Dimensions);
     let entry = sizes.or(entries.first())?;
-    let unit = entry
-        .unit
-        .map_or(HeadingUnit::None, |unit| stated(unit, entry.column));
-    let Entry {
-        column,
-        rank,
-        language,
-        is_long_side,
-        ..
-    } = *entry;
+    let unit = entry.unit.unwrap_or_default();
     Some(Meaning {
-        column,
-        rank,
-        language,
-        unit,
-        is_long_side,
-        order: None,
+        rank: entry.rank,
+        language: entry.language,
+        unit: stated(unit, entry.column),
+        is_long_side: entry.is_long_side,
+        ..Meaning::new(entry.column)
     })
 }
 
@@ -454,7 +397,7 @@ fn unqualified(text: &str) -> Option<Meaning> {
     let words = canonical(text);
     let rest: Vec<&str> = words
         .split(' ')
-        .filter(|word| !QUALIFIERS.contains(word))
+        .filter(|word| !is_among(word, QUALIFIERS))
         .collect();
     if rest.is_empty() || rest.len() == words.split(' ').count() {
         return None;
@@ -532,52 +475,9 @@ fn suffixed(text: &str) -> Option<Meaning> {
 /// Whether words behind a name make it the name of something else: `Height above floor`,
 /// `Weight limit`, `Hauteur sous plafond`.
 fn is_another(found: &Meaning, words: &str) -> bool {
-    const OTHERS: [&str; 44] = [
-        "above",
-        "below",
-        "to",
-        "from",
-        "under",
-        "over",
-        "off",
-        "limit",
-        "contents",
-        "content",
-        "capacity",
-        "load",
-        "loading",
-        "shelf",
-        "shelves",
-        "aisle",
-        "ceiling",
-        "clearance",
-        "door",
-        "opening",
-        "floor",
-        "ground",
-        "grade",
-        "cg",
-        "cog",
-        "per",
-        "sous",
-        "sur",
-        "plafond",
-        "sol",
-        "charge",
-        "uber",
-        "unter",
-        "bis",
-        "decke",
-        "boden",
-        "inhalt",
-        "sopra",
-        "sotto",
-        "soffitto",
-        "techo",
-        "suelo",
-        "teto",
-        "limite",
-    ];
+    const OTHERS: &str = "above below to from under over off limit contents content capacity load loading shelf \
+        shelves aisle ceiling clearance door opening floor ground grade cg cog per sous sur plafond sol \
+        charge uber unter bis decke boden inhalt sopra sotto soffitto techo suelo teto limite";
     let is_measure = matches!(
         dimension(found.column),
         Some(Dimension::Length | Dimension::Mass)
@@ -590,7 +490,7 @@ fn is_another(found: &Meaning, words: &str) -> bool {
         && !is_gap
         && canonical(words)
             .split(' ')
-            .any(|word| OTHERS.contains(&word))
+            .any(|word| is_among(word, OTHERS))
 }
 
 /// Whether the words behind a name are its unit and words that do not change it.
@@ -603,11 +503,9 @@ fn is_only_unit(text: &str, column: Column) -> bool {
             let plain = canonical(word);
             let is_unit = dimension(column).is_some_and(|dimension| find(word, dimension).is_ok());
             is_unit
-                || matches!(
-                    plain.as_str(),
-                    "" | "in" | "en" | "em" | "each" | "gross" | "net" | "full" | "empty" | "x"
-                )
-                || QUALIFIERS.contains(&plain.as_str())
+                || plain.is_empty()
+                || is_among(&plain, "in en em each gross net full empty x")
+                || is_among(&plain, QUALIFIERS)
                 || order_of(text).is_some()
         })
 }
@@ -663,12 +561,9 @@ fn stated(text: &str, column: Column) -> HeadingUnit {
     let words = canonical(text);
     let is_word = !words.contains(' ') && (1..=8).contains(&words.chars().count());
     let is_order = order_of(text).is_some();
-    let is_known = QUALIFIERS.contains(&words.as_str())
+    let is_known = is_among(&words, QUALIFIERS)
         || named(text).is_some()
-        || matches!(
-            words.as_str(),
-            "each" | "gross" | "net" | "full" | "empty" | "opt" | "optional"
-        );
+        || is_among(&words, "each gross net full empty opt optional");
     if matches!(whole, Err(NoUnit::Other(_))) || is_word && !is_order && !is_known {
         HeadingUnit::Wrong(text.to_owned())
     } else {

@@ -27,14 +27,14 @@ const MIN_ROWS: usize = 5;
 
 /// A cell of a size, with the object that it belongs to.
 pub(super) struct SizeCell {
-    pub(super) column: Column,
+    pub column: Column,
     /// The place of the column in the sheet.
-    pub(super) index: u32,
-    pub(super) heading: String,
-    pub(super) row: u32,
-    pub(super) text: String,
+    pub index: u32,
+    pub heading: String,
+    pub row: u32,
+    pub text: String,
     /// Of the bare number; `None`: the cell states its own.
-    pub(super) unit: Option<CellUnit>,
+    pub unit: Option<CellUnit>,
 }
 
 impl SizeCell {
@@ -148,19 +148,14 @@ pub(super) fn confirm(
                 "such a size is hardly possible; \"{}\", for example, was read as {why}",
                 shorten(cell.text.trim())
             );
-            findings.add(
-                Kind::ImplausibleSize,
-                at,
-                Some(cell.row),
-                &cell.text,
-                Some(said),
-            );
-            findings.propose(Kind::ImplausibleSize, at, &edit);
+            let kind = Kind::ImplausibleSize;
+            findings.add(kind, at, Some(cell.row), &cell.text, &said);
+            findings.propose(kind, at, &edit);
             if !item.to_confirm.contains(&edit) {
                 item.to_confirm.push(edit);
             }
-            if !item.doubts.contains(&Kind::ImplausibleSize) {
-                item.doubts.push(Kind::ImplausibleSize);
+            if !item.doubts.contains(&kind) {
+                item.doubts.push(kind);
             }
         }
     }

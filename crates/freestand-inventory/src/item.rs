@@ -1,7 +1,5 @@
 //! Makes an object from the values of a row.
 
-use std::borrow::Cow;
-
 use freestand::block::{Block, BlockError};
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
@@ -31,10 +29,10 @@ const WHEEL_FRICTION: f64 = 0.1;
 
 /// What a row is read with besides its cells.
 pub(super) struct Reading<'a> {
-    pub(super) lookup: &'a Lookup<'a>,
+    pub lookup: &'a Lookup<'a>,
     /// Finds floors by their names; `None`: the list has shares of the height.
-    pub(super) floors: Option<&'a FloorFinder>,
-    pub(super) section: &'a str,
+    pub floors: Option<&'a FloorFinder>,
+    pub section: &'a str,
 }
 
 /// The object of these values, and what is wrong or doubtful about it; floors are found by their names
@@ -136,7 +134,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
             .into_iter()
             .find(|column| values.has(*column))
             .unwrap_or(column);
-        values.report(found, kind, None);
+        values.report(found, kind, "");
     }
     item.doubts.clone_from(&values.told().doubts);
     item
@@ -174,7 +172,7 @@ fn surroundings(
             .find(|column| values.shown(*column).is_some_and(|text| may_roll(&text))),
     };
     if let Some(column) = doubted {
-        values.report(column, Kind::Casters, None);
+        values.report(column, Kind::Casters, "");
     }
     let casters = if doubted.is_some() {
         Some(Casters::Free)
@@ -186,19 +184,16 @@ fn surroundings(
         neighbour_gap_m: values.not_negative(Column::NeighbourGap),
         wall_height_m: values.positive(Column::WallHeight),
         wall_stiffness_n_m: values.positive(Column::WallStiffness),
-        wall_restitution: values
-            .not_negative(Column::WallRestitution)
-            .filter(|ratio| {
-                let is_below = *ratio < 1.0;
-                if !is_below {
-                    values.report(
-                        Column::WallRestitution,
-                        Kind::OutOfRange,
-                        Some("must be from 0 to below 1".to_owned()),
-                    );
-                }
-                is_below
-            }),
+        wall_restitution: {
+            let value = values.not_negative(Column::WallRestitution);
+            let expected = "must be from 0 to below 1";
+            values.accepted(
+                Column::WallRestitution,
+                value,
+                |ratio| *ratio < 1.0,
+                expected,
+            )
+        },
         casters,
         rolling_resistance_ratio: values.share(Column::RollingResistance),
         clearance_m: values.not_negative(Column::Clearance),
@@ -212,7 +207,7 @@ fn anchored(values: &mut Values<'_>, surroundings: &Surroundings) -> Option<bool
     let rolls = surroundings.casters == Some(Casters::Free)
         && !values.told().doubts.contains(&Kind::Casters);
     if anchored == Some(true) && rolls {
-        values.report(Column::Anchored, Kind::AnchoredUnclear, None);
+        values.report(Column::Anchored, Kind::AnchoredUnclear, "");
         return None;
     }
     anchored
@@ -240,11 +235,8 @@ fn upper(values: &mut Values<'_>) -> Option<UpperBody> {
                 }
                 None => (Column::UpperMass, "its height and thickness"),
             };
-            values.report(
-                column,
-                Kind::UpperAlone,
-                Some(format!("what stands on the object lacks {lacks}")),
-            );
+            let detail = format!("what stands on the object lacks {lacks}");
+            values.report(column, Kind::UpperAlone, &detail);
             None
         }
     }
@@ -254,7 +246,7 @@ fn id(values: &mut Values<'_>) -> String {
     let id = values.text(Column::Id);
     if !id.is_empty() {
         if id.starts_with(EXAMPLE) {
-            values.report(Column::Id, Kind::Example, None);
+            values.report(Column::Id, Kind::Example, "");
         }
         return id;
     }
@@ -280,22 +272,22 @@ fn floor(values: &mut Values<'_>, reading: &Reading<'_>) -> (String, Option<f64>
     match finder.find(text) {
         Found::Ratio(ratio, is_assumed) => {
             if is_section {
-                values.report(Column::Floor, Kind::FloorFromSection, None);
+                values.report(Column::Floor, Kind::FloorFromSection, "");
             }
             if is_assumed {
-                values.report(Column::Floor, Kind::FloorNumbering, None);
+                values.report(Column::Floor, Kind::FloorNumbering, "");
             }
             // A floor whose height is given is not guessed.
             match finder.identity(text).filter(|_| !finder.names(text)) {
                 Some((1, _)) => values.note("a basement moves like the ground: level 0"),
-                Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, None),
+                Some((4, _)) => values.report(Column::Floor, Kind::Mezzanine, ""),
                 _ => {}
             }
             (text.to_owned(), Some(ratio))
         }
         _ if is_section => (name, None),
         Found::Unknown => {
-            values.report(Column::Floor, Kind::FloorUnknown, None);
+            values.report(Column::Floor, Kind::FloorUnknown, "");
             (name, None)
         }
         Found::NoStoreys => {
@@ -317,11 +309,8 @@ fn level(values: &mut Values<'_>) -> Option<f64> {
     } else {
         "0 is the ground, 1 the roof; a basement moves like the ground, so give 0"
     };
-    values.wrong(
-        Column::LevelRatio,
-        Kind::OutOfRange,
-        &Problem::value("the level must be from 0 to 1", hint),
-    );
+    let problem = Problem::value("the level must be from 0 to 1", hint);
+    values.wrong(Column::LevelRatio, Kind::OutOfRange, &problem);
     None
 }
 
@@ -354,17 +343,14 @@ fn size(values: &mut Values<'_>) -> Size {
     let Some(height_m) = size.height_m else {
         return size;
     };
-    if size
-        .cg_height_m
-        .is_some_and(|cg_height_m| cg_height_m >= height_m)
-    {
-        values.report(
-            Column::CgHeight,
-            Kind::OutOfRange,
-            Some("is not below the top of the object".to_owned()),
-        );
-        size.cg_height_m = None;
-    }
+    let cg_height_m = size.cg_height_m.take();
+    let below_top = "is not below the top of the object";
+    size.cg_height_m = values.accepted(
+        Column::CgHeight,
+        cg_height_m,
+        |cg_m| *cg_m < height_m,
+        below_top,
+    );
     let planes = [
         (size.thickness_m, Column::BaseThickness),
         (size.width_m, Column::BaseWidth),
@@ -381,17 +367,10 @@ fn size(values: &mut Values<'_>) -> Size {
             ..Shape::default()
         };
         if let Err(error) = feet.block(height_m, side_m) {
-            if base.take().is_some() {
-                refuse_block(values, column, &error);
-            } else {
-                refuse_block(values, Column::Height, &error);
-            }
+            let column = base.take().map_or(Column::Height, |_| column);
+            refuse_block(values, column, &error);
             continue;
         }
-        let feet = Shape {
-            base_width_m: *base,
-            ..Shape::default()
-        };
         let whole = Shape {
             cg_height_m: size.cg_height_m,
             ..feet
@@ -421,11 +400,8 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
     if let (Some(diameter_m), Some(thickness_m)) = (diameter_m, size.thickness_m)
         && (diameter_m - thickness_m).abs() > 0.02 * diameter_m
     {
-        values.report(
-            Column::Diameter,
-            Kind::TwoColumns,
-            Some("differs from the sides of the object".to_owned()),
-        );
+        let detail = "differs from the sides of the object";
+        values.report(Column::Diameter, Kind::TwoColumns, detail);
     }
     size.thickness_m = size.thickness_m.or(diameter_m);
     let shape = values.shape();
@@ -440,7 +416,7 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
         size.width_m = size.width_m.or(size.thickness_m);
         size.thickness_m = size.thickness_m.or(size.width_m);
         if shape.is_none() && !is_marked {
-            values.report(Column::Item, Kind::Round, None);
+            values.report(Column::Item, Kind::Round, "");
         }
     }
 }
@@ -452,11 +428,8 @@ fn refuse_block(values: &mut Values<'_>, column: Column, error: &BlockError) {
         }
         _ => "check the number and its unit",
     };
-    values.wrong(
-        column,
-        Kind::OutOfRange,
-        &Problem::value(error.to_string(), hint),
-    );
+    let problem = Problem::value(error.to_string(), hint);
+    values.wrong(column, Kind::OutOfRange, &problem);
 }
 
 /// What is under one edge.
@@ -491,13 +464,8 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
     }
     if !entry.is_empty() {
         let Some(prior) = (lookup.cushion)(&entry) else {
-            refuse_entry(
-                values,
-                Column::Cushion,
-                &entry,
-                lookup.cushion_names,
-                "cushion",
-            );
+            let names = lookup.cushion_names;
+            refuse_entry(values, Column::Cushion, &entry, names, "cushion");
             return support;
         };
         words.set(Column::Cushion.name(), entry);
@@ -515,25 +483,21 @@ fn support(values: &mut Values<'_>, lookup: &Lookup<'_>, mass_kg: Option<f64>) -
         return support;
     }
     // Missing data cost the object its verdict, but do not stop the reading.
-    if words.get("stiffness").is_none()
-        && words.get("pad_stiffness").is_none()
-        && words.get("law").is_none()
-    {
+    let has = |key: &str| words.get(key).is_some();
+    if !["stiffness", "pad_stiffness", "law"].into_iter().any(has) {
         let column = pad_column(values);
-        values.report(column, Kind::PadAlone, None);
+        values.report(column, Kind::PadAlone, "");
         return Support::default();
     }
-    if words.get("pad_stiffness").is_some() && words.get("pads_per_edge").is_none() {
-        values.report(Column::PadStiffness, Kind::PadsMissing, None);
+    if has("pad_stiffness") && !has("pads_per_edge") {
+        values.report(Column::PadStiffness, Kind::PadsMissing, "");
         return Support::default();
     }
-    match resolved(values, cushion::resolve(&words, mass_kg), mass_kg) {
-        Some(edge) => Support {
-            cushion: Some(edge),
-            ..support
-        },
-        None => Support::default(),
-    }
+    let edge = resolved(values, cushion::resolve(&words, mass_kg), mass_kg);
+    edge.map_or_else(Support::default, |edge| Support {
+        cushion: Some(edge),
+        ..support
+    })
 }
 
 /// The cushion, if it could be made; what is wrong or doubtful about it is reported.
@@ -552,18 +516,14 @@ fn resolved(
                 } else {
                     Column::Stiffness
                 };
-                values.report(column, Kind::Stiffness, None);
+                values.report(column, Kind::Stiffness, "");
             }
             Some(edge)
         }
         Err(problems) => {
-            if mass_kg.is_none()
-                && problems
-                    .problems
-                    .iter()
-                    .all(|problem| problem.keys == ["damping"])
-            {
-                values.report(Column::Cushion, Kind::DampingMass, None);
+            let is_damping = |problem: &Problem| problem.keys == ["damping"];
+            if mass_kg.is_none() && problems.problems.iter().all(is_damping) {
+                values.report(Column::Cushion, Kind::DampingMass, "");
             } else {
                 for problem in &problems.problems {
                     values.wrong(column_of(problem), Kind::Unreadable, problem);
@@ -576,8 +536,7 @@ fn resolved(
 
 /// Joins the cushion keys of a row with those of the library entry that it names. The row may add
 /// pads, layers and a thickness, but not another contact law.
-fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
-    let mut words = words;
+fn joined(mut words: Words, entry: Words) -> Result<Words, Problem> {
     // An entry for a whole edge needs no count of pads; for one pad, a missing count only costs the
     // shock.
     let is_counted = words.get("pads_per_edge").is_some() || entry.get("pads_per_edge").is_some();
@@ -593,17 +552,11 @@ fn joined(words: Words, entry: Words) -> Result<Words, Problem> {
 
 /// The column of a key of a cushion; keys of a library entry belong to the column with its name.
 fn column_of(problem: &Problem) -> Column {
-    let column = |key: &Cow<'_, str>| {
-        COLUMNS
-            .iter()
-            .find(|spec| spec.name == key.as_ref())
-            .map(|spec| spec.column)
-    };
-    problem
+    let specs = problem
         .keys
         .iter()
-        .find_map(column)
-        .unwrap_or(Column::Cushion)
+        .find_map(|key| COLUMNS.iter().find(|spec| spec.name == key));
+    specs.map_or(Column::Cushion, |spec| spec.column)
 }
 
 fn refuse_entry(
@@ -621,12 +574,8 @@ fn refuse_entry(
             format!("no {library} library is available here: put the values into their own columns")
         }
         None => {
-            let some: Vec<&str> = all.iter().copied().take(6).collect();
-            format!(
-                "known: {}{}",
-                some.join(", "),
-                if all.len() > 6 { " and more" } else { "" }
-            )
+            let more = if all.len() > 6 { " and more" } else { "" };
+            format!("known: {}{more}", all[..all.len().min(6)].join(", "))
         }
     };
     let message = format!("is not an entry of the {library} library");
@@ -644,18 +593,13 @@ fn tolerance(values: &mut Values<'_>, lookup: &Lookup<'_>) -> Option<Tolerance> 
         source: "the inventory".to_owned(),
         confidence: Confidence::Stated,
     };
-    let Tolerance {
-        peak_m_s2,
-        duration_s,
-        velocity_change_m_s,
-        edge_lift_m,
-        ..
-    } = &stated;
-    let is_stated = [peak_m_s2, duration_s, velocity_change_m_s, edge_lift_m]
-        .into_iter()
-        .any(Option::is_some);
-    if duration_s.is_some() && peak_m_s2.is_none() {
-        values.report(Column::ToleranceDuration, Kind::PulseAlone, None);
+    let has_pulse = stated.duration_s.is_some();
+    let is_stated = has_pulse
+        || [peak_m_s2, stated.velocity_change_m_s, stated.edge_lift_m]
+            .iter()
+            .any(Option::is_some);
+    if has_pulse && peak_m_s2.is_none() {
+        values.report(Column::ToleranceDuration, Kind::PulseAlone, "");
     }
     let entry = values.text(Column::ToleranceEntry);
     if entry.is_empty() {
@@ -664,22 +608,14 @@ fn tolerance(values: &mut Values<'_>, lookup: &Lookup<'_>) -> Option<Tolerance> 
     if is_stated {
         let hint = "keep either the entry or the values in the other tolerance columns";
         let message = "tolerance_entry and the other tolerance columns exclude each other";
-        values.wrong(
-            Column::ToleranceEntry,
-            Kind::Unreadable,
-            &Problem::value(message, hint),
-        );
+        let problem = Problem::value(message, hint);
+        values.wrong(Column::ToleranceEntry, Kind::Unreadable, &problem);
         return None;
     }
     let found = (lookup.tolerance)(&entry);
     if found.is_none() {
-        refuse_entry(
-            values,
-            Column::ToleranceEntry,
-            &entry,
-            lookup.tolerance_names,
-            "tolerance",
-        );
+        let names = lookup.tolerance_names;
+        refuse_entry(values, Column::ToleranceEntry, &entry, names, "tolerance");
     }
     found
 }
@@ -694,11 +630,8 @@ fn restitution(values: &mut Values<'_>, blocks: &[Block]) -> Restitution {
         (Some(_), Some(_)) => {
             let hint = "keep one of them; the factor multiplies Housner's restitution";
             let message = "restitution and restitution_factor exclude each other";
-            values.wrong(
-                Column::RestitutionFactor,
-                Kind::Unreadable,
-                &Problem::value(message, hint),
-            );
+            let problem = Problem::value(message, hint);
+            values.wrong(Column::RestitutionFactor, Kind::Unreadable, &problem);
             return Restitution::Housner;
         }
         (None, Some(factor)) => (Column::RestitutionFactor, Restitution::Factor(factor)),

@@ -4,11 +4,12 @@ use std::collections::BTreeMap;
 
 use super::cell::{Cell, Row};
 use super::columns::Column;
-use super::headings::{HeadingUnit, Meaning, dimension, letter_meaning, meaning};
+use super::headings::{HeadingUnit, Language, Meaning, dimension, letter_meaning, meaning};
 use super::mapping::Mapping;
+use super::problems::named_rows;
 use super::sentence::sentence_unit;
 use super::units::{CellUnit, find};
-use super::vocabulary::{begins_note, begins_total, is_missing};
+use super::vocabulary::{begins_note, begins_total, is_among, is_missing};
 use freestand_input::quantity::Dimension;
 use freestand_input::words::canonical;
 
@@ -19,25 +20,25 @@ pub(super) const SEARCHED_ROWS: usize = 100;
 #[derive(Debug, Clone)]
 pub(super) struct Header {
     /// The row with the headings, counted from 1.
-    pub(super) row: u32,
+    pub row: u32,
     /// The last row before the objects: a second row of headings, or a row of units.
-    pub(super) last_row: u32,
+    pub last_row: u32,
     /// Every heading, by its column.
-    pub(super) headings: BTreeMap<u32, String>,
+    pub headings: BTreeMap<u32, String>,
     /// What the headings mean, where that is known.
-    pub(super) meanings: BTreeMap<u32, Meaning>,
+    pub meanings: BTreeMap<u32, Meaning>,
     /// Units of a row of their own, or of a heading above a group.
-    pub(super) units: BTreeMap<u32, CellUnit>,
+    pub units: BTreeMap<u32, CellUnit>,
     /// Whether the units are from a row of their own.
-    pub(super) has_unit_row: bool,
+    pub has_unit_row: bool,
     /// Number of different known columns.
-    pub(super) known: usize,
+    pub known: usize,
     /// Number of rows above that are not empty.
-    pub(super) above: usize,
+    pub above: usize,
     /// Number of cells in the row of headings, where the file says so.
-    pub(super) width: Option<u32>,
+    pub width: Option<u32>,
     /// The first row of what stands above it, behind the table before.
-    pub(super) first_row: u32,
+    pub first_row: u32,
 }
 
 /// Smallest number of known headings; with a size one less.
@@ -142,6 +143,17 @@ impl Header {
         self.width = self.width.map(|width| width.max(column + 1));
     }
 
+    /// The heading of a column; empty: it has none.
+    pub(super) fn heading(&self, column: u32) -> String {
+        self.headings.get(&column).cloned().unwrap_or_default()
+    }
+
+    /// The number of known headings in a language.
+    pub(super) fn spoken(&self, language: Language) -> usize {
+        let all = self.meanings.values();
+        all.filter(|found| found.language == language).count()
+    }
+
     /// The unit that the row of units or the group states.
     pub(super) fn unit(&self, column: u32) -> Option<CellUnit> {
         self.units.get(&column).copied()
@@ -242,23 +254,10 @@ fn is_second_row(row: &Row, header: &Header) -> bool {
 /// The units of a row that contains nothing else, except for the word "units" and words under
 /// columns that are not known.
 fn unit_row(row: &Row, meanings: &BTreeMap<u32, Meaning>) -> Option<BTreeMap<u32, CellUnit>> {
+    const UNITS: &str = "unit units einheit einheiten unite unites unidad unidades unita 単位";
     let mut found = BTreeMap::new();
     for (column, text) in texts(row) {
-        let words = canonical(&text);
-        let is_filler = is_missing(&text)
-            || matches!(
-                words.as_str(),
-                "unit"
-                    | "units"
-                    | "einheit"
-                    | "einheiten"
-                    | "unite"
-                    | "unites"
-                    | "unidad"
-                    | "unidades"
-                    | "unita"
-                    | "単位"
-            );
+        let is_filler = is_missing(&text) || is_among(&canonical(&text), UNITS);
         match meanings.get(&column) {
             Some(meaning) => {
                 match dimension(meaning.column).map(|dimension| find(&text, dimension)) {
@@ -315,19 +314,35 @@ pub struct LeftOut {
 #[derive(Debug, Default)]
 pub(super) struct Body {
     /// Places of the objects in the rows, each with its section.
-    pub(super) objects: Vec<(usize, Option<usize>)>,
+    pub objects: Vec<(usize, Option<usize>)>,
     /// Names of the sections.
-    pub(super) sections: Vec<String>,
-    pub(super) left_out: Vec<LeftOut>,
+    pub sections: Vec<String>,
+    pub left_out: Vec<LeftOut>,
     /// Units that apply to a column from a row on.
-    pub(super) units: Vec<(u32, u32, CellUnit)>,
+    pub units: Vec<(u32, u32, CellUnit)>,
+}
+
+impl Body {
+    /// The rows of the objects.
+    pub(super) fn rows<'r>(&self, rows: &'r [Row]) -> impl Iterator<Item = &'r Row> {
+        let objects = self.objects.iter();
+        objects.filter_map(|(place, _)| rows.get(*place))
+    }
+
+    /// Whether a row is not an object.
+    pub(super) fn leaves_out(&self, row: &Row) -> bool {
+        let found = self
+            .left_out
+            .binary_search_by_key(&row.number, |left| left.row);
+        found.is_ok()
+    }
 }
 
 /// A table of a sheet: its headings, and the rows below them.
 #[derive(Debug)]
 pub(super) struct Table {
-    pub(super) header: Header,
-    pub(super) body: Body,
+    pub header: Header,
+    pub body: Body,
 }
 
 /// Most tables of a sheet.
@@ -566,15 +581,8 @@ pub(super) fn unevaluated(rows: &[Row], is_left_out: &dyn Fn(&Row) -> bool) -> O
         .filter(|row| is_left_out(row))
         .map(|row| row.number)
         .collect();
-    let named: Vec<String> = found.iter().take(5).map(u32::to_string).collect();
-    let more = if found.len() > named.len() {
-        format!(" and {} more", found.len() - named.len())
-    } else {
-        String::new()
-    };
-    let noun = if found.len() == 1 { "row" } else { "rows" };
     let said = "formulas without a value in rows that are no objects are left empty";
-    (!found.is_empty()).then(|| format!("{noun} {}{more}: {said}", named.join(", ")))
+    (!found.is_empty()).then(|| format!("{}: {said}", named_rows(&found, found.len())))
 }
 
 /// The texts of a row.

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse, shorten};
 use freestand_input::words::{canonical, nearest};
 use freestand_study::study::FirstFloor;
@@ -14,6 +14,7 @@ use super::cost_columns::{CostHeading, cost_name};
 use super::floors::Floors;
 use super::headings::{dimension, meaning};
 use super::numbers::Decimal;
+use super::problems::bad_file;
 use super::units::{CellUnit, find};
 
 /// What a mapping file says.
@@ -34,8 +35,8 @@ pub struct Mapping {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Mapped {
     /// `None`: it is not read.
-    pub(super) column: Option<Column>,
-    pub(super) unit: Option<CellUnit>,
+    pub column: Option<Column>,
+    pub unit: Option<CellUnit>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -55,17 +56,10 @@ impl Mapping {
     pub fn load(path: &Path) -> Result<Self, Problems> {
         let hint = "name a mapping file; `write_columns` writes one to edit";
         let bytes = load_up_to(path, 4 << 20, "is too large for a mapping file", hint)?;
-        let text = String::from_utf8(bytes).map_err(|_| {
-            Problem::new(ProblemKind::Format, "is not text (UTF-8)")
-                .in_file(path)
-                .hint(hint)
-        })?;
-        Self::parse(&text).map_err(|error| {
-            error
-                .into_iter()
-                .map(|problem| problem.in_file(path))
-                .collect()
-        })
+        let in_file = |problem: Problem| problem.in_file(path);
+        let text =
+            String::from_utf8(bytes).map_err(|_| in_file(bad_file("is not text (UTF-8)", hint)))?;
+        Self::parse(&text).map_err(|error| error.into_iter().map(in_file).collect())
     }
 
     /// Reads the text of a mapping file.
@@ -85,11 +79,11 @@ impl Mapping {
         let line = |at: usize| 1 + text.get(..at).unwrap_or(text).matches('\n').count();
         let document = Document::parse(text).map_err(|error| {
             let message = format!("not TOML: {}", error.message().replace('`', "\""));
-            let problem = Problem::new(ProblemKind::Format, message)
-                .hint("write \"Heading\" = \"height\" under [columns]");
-            error
-                .span()
-                .map_or(problem.clone(), |span| problem.at_line(line(span.start)))
+            let problem = bad_file(message, "write \"Heading\" = \"height\" under [columns]");
+            match error.span() {
+                Some(span) => problem.at_line(line(span.start)),
+                None => problem,
+            }
         })?;
         let mut found = Self {
             sha256: freestand_input::file::sha256_hex(text.as_bytes()),
@@ -141,34 +135,22 @@ impl Mapping {
                 };
                 if let Some(name) = cost_name(&name) {
                     self.costs.push((canonical(key), name, unit));
-                    self.columns.push((
-                        canonical(key),
-                        Mapped {
-                            column: None,
-                            unit: None,
-                        },
-                    ));
+                    let (column, unit) = (None, None);
+                    self.columns.push((canonical(key), Mapped { column, unit }));
                     return Ok(());
                 }
-                let column = if name == "ignore" {
-                    None
-                } else {
-                    Some(column(&name)?)
-                };
-                let unit = match (column, unit) {
-                    (Some(column), Some(unit)) => Some(unit_of(&unit, column)?),
-                    _ => None,
-                };
+                let column = (name != "ignore").then(|| column(&name)).transpose()?;
+                let unit = column
+                    .zip(unit)
+                    .map(|(column, unit)| unit_of(&unit, column))
+                    .transpose()?;
                 self.columns.push((canonical(key), Mapped { column, unit }));
             }
             "floors" if key == "first_floor" => {
                 let name = item.as_str().unwrap_or_default();
                 let found = FirstFloor::ALL.iter().find(|(other, _)| *other == name);
-                self.first_floor = Some(
-                    found
-                        .ok_or_else(|| wrong("write \"ground\" or \"above\""))?
-                        .1,
-                );
+                let (_, first) = found.ok_or_else(|| wrong("write \"ground\" or \"above\""))?;
+                self.first_floor = Some(*first);
             }
             "floors" => {
                 let hint = "write a share of the height such as 0.75, an elevation such as \"12 m\", or another floor's name";
@@ -330,11 +312,11 @@ fn unit_of(text: &str, column: Column) -> Result<CellUnit, Problem> {
         .ok_or_else(refused)
 }
 
+/// A heading, and the column and the unit that it was taken for.
+pub(super) type Headed = (String, Option<Column>, Option<CellUnit>);
+
 /// A mapping file to edit: every heading of a list with what it was taken for, by the mapping in use if there is one.
-pub(super) fn written(
-    columns: &[(String, Option<Column>, Option<CellUnit>)],
-    used: Option<&Mapping>,
-) -> String {
+pub(super) fn written(columns: &[Headed], used: Option<&Mapping>) -> String {
     let mut text = String::from(
         "# What the columns of the list are. Edit it and give it back with --columns.\n\
          # \"Heading\" = \"name\", { name = \"height\", unit = \"mm\" }, or \"ignore\"\n[columns]\n",

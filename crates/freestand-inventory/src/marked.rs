@@ -6,18 +6,20 @@ use std::path::Path;
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use rust_xlsxwriter::{
-    DocProperties, ExcelDateTime, Format, FormatAlign, Note, Workbook, Worksheet, XlsxError,
-};
+use rust_xlsxwriter::{Format, Note, Worksheet, XlsxError};
 
 use super::cell::{Cell, MAX_CELL_CHARS};
 use super::problems::{Finding, Severity};
 use super::read::ReadOptions;
 use super::source::{Sheet, load};
-use super::write::failed;
+use super::write::{explain, failed, workbook, wrapped};
 
 /// Most cells that are marked; a list with more has the same mistake in every row.
 const MAX_MARKED: usize = 50_000;
+/// Behind a cell that is wrong.
+const RED: &str = "#F8B4B4";
+/// Behind a cell that is doubtful.
+const YELLOW: &str = "#FFF2A8";
 /// Most cells of a list that is copied.
 const MAX_COPIED: usize = 4_000_000;
 
@@ -73,14 +75,7 @@ fn copy(sheet: &Sheet, findings: &[Finding]) -> Result<Vec<u8>, XlsxError> {
                 .or_insert((finding.severity, text.clone()));
         }
     }
-    let mut workbook = Workbook::new();
-    // With the current date, the bytes would differ from run to run.
-    let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
-    workbook.set_properties(
-        &DocProperties::new()
-            .set_title("Checked inventory")
-            .set_creation_datetime(&created),
-    );
+    let mut workbook = workbook("Checked inventory")?;
     let name = sheet.name.clone().unwrap_or_else(|| "List".to_owned());
     fill(workbook.add_worksheet().set_name(&name)?, sheet, &marks)?;
     let second = if name.eq_ignore_ascii_case("problems") {
@@ -102,26 +97,17 @@ fn word(finding: &Finding) -> String {
 }
 
 fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxError> {
-    let bold = Format::new()
-        .set_bold()
-        .set_text_wrap()
-        .set_align(FormatAlign::Top);
-    let red = Format::new().set_background_color("#F8B4B4");
-    let yellow = Format::new().set_background_color("#FFF2A8");
+    let bold = wrapped().set_bold();
+    let [red, yellow] = [RED, YELLOW].map(|color| Format::new().set_background_color(color));
     let plain = Format::new();
     // What the spreadsheet did not show is struck through.
     let [struck, struck_red, struck_yellow] =
         [&plain, &red, &yellow].map(|format| format.clone().set_font_strikethrough());
     for merged in &sheet.merges.all {
-        let (first, last) = (
-            merged.rows.0.saturating_sub(1),
-            merged.rows.1.saturating_sub(1),
-        );
-        let (left, right) = (
-            u16::try_from(merged.columns.0),
-            u16::try_from(merged.columns.1),
-        );
-        if let (Ok(left), Ok(right)) = (left, right) {
+        let (first, last) = merged.rows;
+        let (left, right) = merged.columns;
+        if let (Ok(left), Ok(right)) = (u16::try_from(left), u16::try_from(right)) {
+            let (first, last) = (first.saturating_sub(1), last.saturating_sub(1));
             // Overlaps are refused; the copy then has the cells without that merge.
             let _ = to.merge_range(first, left, last, right, "", &plain);
         }
@@ -136,14 +122,14 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
                 .get(&(row.number, *column))
                 .map(|(severity, _)| *severity);
             let is_hidden = sheet.hidden.rows.binary_search(&row.number).is_ok();
-            let format = match mark {
-                Some(Severity::Error) if is_hidden => &struck_red,
-                Some(Severity::Doubt) if is_hidden => &struck_yellow,
-                Some(Severity::Error) => &red,
-                Some(Severity::Doubt) => &yellow,
-                None if is_hidden => &struck,
-                None if row.number == sheet.header.row => &bold,
-                None => &plain,
+            let format = match (mark, is_hidden) {
+                (Some(Severity::Error), true) => &struck_red,
+                (Some(Severity::Doubt), true) => &struck_yellow,
+                (Some(Severity::Error), false) => &red,
+                (Some(Severity::Doubt), false) => &yellow,
+                (None, true) => &struck,
+                (None, false) if row.number == sheet.header.row => &bold,
+                (None, false) => &plain,
             };
             match cell {
                 Cell::Number(value) => to.write_number_with_format(at, index, *value, format)?,
@@ -161,10 +147,9 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
         let Ok(index) = u16::try_from(*column) else {
             continue;
         };
-        let color = if *severity == Severity::Error {
-            "#F8B4B4"
-        } else {
-            "#FFF2A8"
+        let color = match severity {
+            Severity::Error => RED,
+            Severity::Doubt => YELLOW,
         };
         let note = Note::new(text.chars().take(2000).collect::<String>())
             .set_author("freestand")
@@ -176,8 +161,6 @@ fn fill(to: &mut Worksheet, sheet: &Sheet, marks: &Marks) -> Result<(), XlsxErro
 }
 
 fn problems(to: &mut Worksheet, findings: &[Finding]) -> Result<(), XlsxError> {
-    let bold = Format::new().set_bold().set_background_color("#DDE7F0");
-    let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
     let headings = [
         ("Severity", 10),
         ("Kind", 18),
@@ -188,46 +171,25 @@ fn problems(to: &mut Worksheet, findings: &[Finding]) -> Result<(), XlsxError> {
         ("What", 50),
         ("What to do", 60),
     ];
-    for (column, (text, width)) in (0u16..).zip(headings) {
-        to.write_string_with_format(0, column, text, &bold)?;
-        to.set_column_width(column, width)?;
-    }
-    for (row, finding) in (1u32..).zip(findings) {
-        let cells = finding.cells();
-        let places: Vec<String> = if cells.is_empty() {
-            finding
-                .rows
-                .iter()
-                .map(|row| format!("row {row}"))
-                .collect()
-        } else {
-            cells
-        };
+    let row = |finding: &Finding| {
+        let mut places = finding.places();
         let more = if places.len() > 20 { " …" } else { "" };
-        let places = format!(
-            "{}{more}",
-            places
-                .iter()
-                .take(20)
-                .cloned()
-                .collect::<Vec<_>>()
-                .join(", ")
-        );
-        let texts = [
+        places.truncate(20);
+        [
             finding.severity.name().to_owned(),
             finding.kind.name().to_owned(),
             finding.heading.as_deref().map(shorten).unwrap_or_default(),
             String::new(),
-            places,
+            format!("{}{more}", places.join(", ")),
             finding.examples.join(" | "),
             KeyStyle::Flag.shown(&finding.message()),
             KeyStyle::Flag.shown(&finding.hint),
-        ];
-        for (column, text) in (0u16..).zip(texts) {
-            to.write_string_with_format(row, column, text, &wrap)?;
-        }
+        ]
+    };
+    explain(to, headings, findings.iter().map(row))?;
+    let wrap = wrapped();
+    for (row, finding) in (1u32..).zip(findings) {
         to.write_number_with_format(row, 3, finding.rows.len() as f64, &wrap)?;
     }
-    to.set_freeze_panes(1, 0)?;
     Ok(())
 }

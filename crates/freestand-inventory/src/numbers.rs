@@ -32,7 +32,7 @@ impl Decimal {
         }
     }
 
-    fn other(self) -> Self {
+    pub(super) fn other(self) -> Self {
         match self {
             Self::Point => Self::Comma,
             Self::Comma => Self::Point,
@@ -146,9 +146,16 @@ fn number_end(text: &str, start: usize) -> usize {
     end
 }
 
+/// Fractions that are one character.
+pub(super) const FRACTIONS: [char; 9] = ['½', '¼', '¾', '⅓', '⅔', '⅛', '⅜', '⅝', '⅞'];
+
 fn is_fraction(rest: &str) -> bool {
-    rest.trim_start()
-        .starts_with(['½', '¼', '¾', '⅓', '⅔', '⅛', '⅜', '⅝', '⅞'])
+    rest.trim_start().starts_with(FRACTIONS)
+}
+
+/// Whether a text has a digit.
+pub(super) fn has_digit(text: &str) -> bool {
+    text.bytes().any(|byte| byte.is_ascii_digit())
 }
 
 /// What a run of digits and signs means.

@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::words::counted;
 
@@ -191,45 +192,39 @@ impl Finding {
         }
     }
 
-    /// `error: unreadable: Height: 60 cells (D2, D3, D4 …), such as "tall0x"; hint: …`.
-    pub fn line(&self) -> String {
+    /// Its cells, or its rows where no column is known: `row 7`.
+    pub(super) fn places(&self) -> Vec<String> {
         let cells = self.cells();
-        let places: Vec<String> = if cells.is_empty() {
+        if cells.is_empty() {
             self.rows.iter().map(|row| format!("row {row}")).collect()
         } else {
             cells
-        };
-        let more = if places.len() > 3 { " …" } else { "" };
-        let noun = if self.index.is_some() { "cell" } else { "row" };
-        let first: Vec<String> = places.iter().take(3).cloned().collect();
-        let shown = if first.is_empty() {
-            String::new()
-        } else {
-            format!(" ({}{more})", first.join(", "))
-        };
-        let count = if self.rows.is_empty() {
-            String::new()
-        } else {
-            format!("{}{shown}", counted(self.rows.len(), noun))
-        };
+        }
+    }
+
+    /// `error: unreadable: Height: 60 cells (D2, D3, D4 …), such as "tall0x"; hint: …`.
+    pub fn line(&self) -> String {
+        let begun = format!("{}: {}", self.severity.name(), self.kind.name());
         let such = self.examples.first().map_or_else(String::new, |text| {
             format!(", such as \"{}\"", shorten(text))
         });
+        if self.rows.is_empty() {
+            return format!("{begun}: {}{such}; hint: {}", self.message(), self.hint);
+        }
+        let noun = if self.index.is_some() { "cell" } else { "row" };
+        let more = if self.rows.len() > 3 { " …" } else { "" };
+        let mut first = self.places();
+        first.truncate(3);
         let said = match (&self.detail, self.kind) {
             (Some(detail), _) => format!("; {detail}"),
             (None, Kind::Unreadable) => String::new(),
             (None, kind) => format!("; {}", kind.words()),
         };
-        let name = self.name();
-        if self.rows.is_empty() {
-            let (severity, kind, message) =
-                (self.severity.name(), self.kind.name(), self.message());
-            return format!("{severity}: {kind}: {message}{such}; hint: {}", self.hint);
-        }
         format!(
-            "{}: {}: {name}: {count}{such}{said}; hint: {}",
-            self.severity.name(),
-            self.kind.name(),
+            "{begun}: {}: {} ({}{more}){such}{said}; hint: {}",
+            self.name(),
+            counted(self.rows.len(), noun),
+            first.join(", "),
             self.hint
         )
     }
@@ -237,6 +232,9 @@ impl Finding {
 
 /// Cells of which a hint names the edit.
 const NAMED_EDITS: usize = 3;
+
+/// The most rows that a warning names.
+const NOTED_ROWS: usize = 5;
 
 /// At most this many lines on the console.
 const MAX_LINES: usize = 12;
@@ -258,20 +256,10 @@ pub fn console_lines(findings: &[Finding]) -> Vec<String> {
         .map(|finding| finding.line())
         .collect();
     if order.len() > MAX_LINES {
-        lines.push(format!(
-            "and {}: --json",
-            more_kinds(order.len() - MAX_LINES)
-        ));
+        let more = counted(order.len() - MAX_LINES, "more kind");
+        lines.push(format!("and {more}: --json"));
     }
     lines
-}
-
-fn more_kinds(count: usize) -> String {
-    if count == 1 {
-        "1 more kind".to_owned()
-    } else {
-        format!("{count} more kinds")
-    }
 }
 
 /// The problems so far.
@@ -295,9 +283,9 @@ struct Noted {
 /// Where a problem is.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Place<'h> {
-    pub(super) column: Option<Column>,
-    pub(super) index: Option<u32>,
-    pub(super) heading: Option<&'h str>,
+    pub column: Option<Column>,
+    pub index: Option<u32>,
+    pub heading: Option<&'h str>,
 }
 
 impl Place<'_> {
@@ -318,14 +306,15 @@ impl Findings {
         }
     }
 
-    /// Adds a cell to the problem of its kind and column.
+    /// Adds a cell to the problem of its kind and column; with a detail, that is said in place of the words of
+    /// the kind.
     pub(super) fn add(
         &mut self,
         kind: Kind,
         place: Place<'_>,
         row: Option<u32>,
         example: &str,
-        detail: Option<String>,
+        detail: &str,
     ) {
         let severity = if self.is_strict {
             Severity::Error
@@ -343,7 +332,7 @@ impl Findings {
                 rows: Vec::new(),
                 examples: Vec::new(),
                 hint: kind.hint().to_owned(),
-                detail,
+                detail: (!detail.is_empty()).then(|| detail.to_owned()),
                 edits: Vec::new(),
             });
             self.all.len() - 1
@@ -385,42 +374,29 @@ impl Findings {
             }
         }
         for noted in later.notes {
-            match self
-                .notes
-                .iter_mut()
-                .find(|first| first.words == noted.words)
-            {
-                Some(first) => {
-                    first.count += noted.count;
-                    let room = 5usize.saturating_sub(first.rows.len());
-                    first.rows.extend(noted.rows.into_iter().take(room));
-                }
-                None => self.notes.push(noted),
-            }
+            self.take_note(noted);
         }
     }
 
+    fn at(&mut self, kind: Kind, place: Place<'_>) -> Option<&mut Finding> {
+        let at = self.places.get(&(kind, place.column, place.index))?;
+        self.all.get_mut(*at)
+    }
+
     /// Replaces the hint of a problem.
-    pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: String) {
-        if let Some(finding) = self
-            .places
-            .get(&(kind, place.column, place.index))
-            .and_then(|at| self.all.get_mut(*at))
-        {
-            finding.hint = hint;
+    pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: &str) {
+        if let Some(finding) = self.at(kind, place) {
+            hint.clone_into(&mut finding.hint);
         }
     }
 
     /// Adds a text that would mend or confirm a cell of a problem.
     pub(super) fn propose(&mut self, kind: Kind, place: Place<'_>, edit: &str) {
-        let Some(at) = self.places.get(&(kind, place.column, place.index)) else {
+        let Some(finding) = self.at(kind, place) else {
             return;
         };
-        let Some(finding) = self.all.get_mut(*at) else {
-            return;
-        };
+        let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
         if finding.edits.is_empty() {
-            let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
             let same = finding.examples.first().map_or("", String::as_str);
             finding.hint = if edit.ends_with(&format!("={}", same.trim())) {
                 format!("correct {cell}, or confirm it by `edit = \"{edit}\"`")
@@ -430,7 +406,6 @@ impl Findings {
                 )
             };
         } else if finding.edits.len() < NAMED_EDITS {
-            let cell = edit.split_once('=').map_or(edit, |(cell, _)| cell);
             finding
                 .hint
                 .push_str(&format!("; read {cell} otherwise by `edit = \"{edit}\"`"));
@@ -440,21 +415,22 @@ impl Findings {
 
     /// Adds a warning about a row.
     pub(super) fn note(&mut self, words: &'static str, row: u32) {
-        let noted = match self.notes.iter_mut().position(|noted| noted.words == words) {
-            Some(at) => self.notes.get_mut(at),
-            None => {
-                self.notes.push(Noted {
-                    words,
-                    rows: Vec::new(),
-                    count: 0,
-                });
-                self.notes.last_mut()
+        self.take_note(Noted {
+            words,
+            rows: vec![row],
+            count: 1,
+        });
+    }
+
+    /// Adds rows to the warning of the same words.
+    fn take_note(&mut self, more: Noted) {
+        match self.notes.iter_mut().find(|one| one.words == more.words) {
+            Some(first) => {
+                first.count += more.count;
+                let room = NOTED_ROWS.saturating_sub(first.rows.len());
+                first.rows.extend(more.rows.into_iter().take(room));
             }
-        };
-        let Some(noted) = noted else { return };
-        noted.count += 1;
-        if noted.rows.len() < 5 {
-            noted.rows.push(row);
+            None => self.notes.push(more),
         }
     }
 
@@ -479,27 +455,34 @@ impl Findings {
                 .hint
                 .push_str(&format!("; {more} to correct or confirm in the same way"));
         }
-        let said = |noted: &Noted| {
-            let rows: Vec<String> = noted.rows.iter().map(u32::to_string).collect();
-            let more = noted.count - noted.rows.len();
-            let more = if more > 0 {
-                format!(" and {more} more")
-            } else {
-                String::new()
-            };
-            let noun = if noted.count == 1 { "row" } else { "rows" };
-            format!("{noun} {}{more}: {}", rows.join(", "), noted.words)
-        };
+        let said =
+            |noted: &Noted| format!("{}: {}", named_rows(&noted.rows, noted.count), noted.words);
         let notes = self.notes.iter().map(said).collect();
         (self.all, notes)
     }
 }
 
+/// A file that is not what it should be.
+pub(super) fn bad_file(message: impl Into<String>, hint: impl Into<String>) -> Problem {
+    Problem::new(ProblemKind::Format, message).hint(hint)
+}
+
+/// The first of these rows, of which there are `count`: `row 3`, `rows 3, 4, 5, 7, 8 and 12 more`.
+pub(super) fn named_rows(rows: &[u32], count: usize) -> String {
+    let named: Vec<String> = rows.iter().take(NOTED_ROWS).map(u32::to_string).collect();
+    let noun = if count == 1 { "row" } else { "rows" };
+    let more = match count - named.len() {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    format!("{noun} {}{more}", named.join(", "))
+}
+
 /// What is said of a row.
 pub(super) struct RowFindings<'a> {
-    pub(super) findings: &'a mut Findings,
+    pub findings: &'a mut Findings,
     /// What is doubtful about this object.
-    pub(super) doubts: Vec<Kind>,
+    pub doubts: Vec<Kind>,
 }
 
 impl<'a> RowFindings<'a> {
@@ -511,14 +494,7 @@ impl<'a> RowFindings<'a> {
         }
     }
 
-    pub(super) fn add(
-        &mut self,
-        place: Place,
-        kind: Kind,
-        row: u32,
-        example: &str,
-        detail: Option<String>,
-    ) {
+    pub(super) fn add(&mut self, place: Place, kind: Kind, row: u32, example: &str, detail: &str) {
         self.findings.add(kind, place, Some(row), example, detail);
         if kind.severity() == Severity::Doubt && !self.doubts.contains(&kind) {
             self.doubts.push(kind);
@@ -544,7 +520,7 @@ mod tests {
                 place,
                 Some(row),
                 &format!("tall{}x", row % 2),
-                None,
+                "",
             );
         }
         let (all, _) = findings.finish();
@@ -569,7 +545,7 @@ mod tests {
                 heading: Some("x"),
             };
             for row in 0..=index {
-                findings.add(Kind::Unreadable, place, Some(row), "", None);
+                findings.add(Kind::Unreadable, place, Some(row), "", "");
             }
         }
         let lines = console_lines(&findings.finish().0);

@@ -7,25 +7,25 @@ use rayon::prelude::*;
 
 use crate::library::Lookup;
 use freestand_input::file::sha256_hex;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, UnitSystem, shorten};
 use freestand_input::words::{canonical, nearest};
 
-use super::cell::{Cell, Row};
+use super::cell::{Cell, Row, row_at};
 use super::columns::{COLUMNS, Column, letters};
 use super::columns_read::{ColumnRead, HeadingReport};
 use super::edit::Edit;
 use super::edits::{answer, edited};
 use super::floors::{FloorFinder, Floors};
-use super::headings::dimension;
+use super::headings::{dimension, meaning};
 use super::implausible::{SizeCell, confirm};
 use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
-use super::mapping::{Mapping, cost_heading};
-use super::problems::{Findings, Kind, Place, RowFindings};
-use super::source::{Sheet, load};
-use super::understood::{Evidence, Understood, understand};
-use super::units::CellUnit;
+use super::mapping::{Headed, Mapping, cost_heading, written};
+use super::problems::{Findings, Kind, Place, RowFindings, bad_file};
+use super::source::{Sheet, first_rows, load};
+use super::understood::understand;
+use super::used::{Evidence, Understood, Use};
 use super::values::{Cells, Values};
 use super::{Inventory, Item};
 
@@ -160,51 +160,25 @@ pub fn parse_inventory(
     warnings.extend(sheet.title_warning());
     let (tables, unread_from) = tables(&sheet.rows, &sheet.header, options.mapping);
     if tables.iter().all(|table| table.body.objects.is_empty()) {
-        let problem = Problem::new(ProblemKind::Format, "there are no rows below the headings");
-        return Err(problem
-            .hint("put one object into each row")
-            .in_file(path)
-            .into());
+        let message = "there are no rows below the headings";
+        return Err(in_file(bad_file(message, "put one object into each row")).into());
     }
     warnings.extend(sheet.formulas.warning());
-    let left_out = |row: &Row| {
-        let has = |table: &Table| {
-            table
-                .body
-                .left_out
-                .binary_search_by_key(&row.number, |left| left.row)
-                .is_ok()
-        };
-        tables.iter().any(has)
-    };
+    let left_out = |row: &Row| tables.iter().any(|table| table.body.leaves_out(row));
     warnings.extend(unevaluated(&sheet.rows, &left_out));
-    if let Some(row) = unread_from {
-        warnings.push(format!(
-            "row {row} begins another table of very many: it and what follows are not read"
-        ));
-    }
+    warnings.extend(unread_from.map(|row| {
+        format!("row {row} begins another table of very many: it and what follows are not read")
+    }));
     let floors = match options.mapping {
         Some(mapping) => mapping.floors(&options.floors)?,
         None => options.floors.clone(),
     };
-    let understood: Vec<Understood> = tables
-        .iter()
-        .map(|table| {
-            let mut columns = understand(&Evidence {
-                rows: &sheet.rows,
-                header: &table.header,
-                body: &table.body,
-                mapping: options.mapping,
-                has_semicolons: sheet.separator == Some(b';'),
-            });
-            bound_carried(&mut columns, table.body.objects.len());
-            columns
-        })
-        .collect();
-    let names = floor_names(&sheet, &tables, &understood);
+    let list = List::new(sheet, tables, options);
+    let names = list.floor_names();
     let mut findings = Findings::new(options.is_strict);
     let mut whole = Whole::default();
-    for (table, columns) in tables.iter().zip(&understood) {
+    for part in &list.parts {
+        let columns = &part.columns;
         for warning in columns.warnings.iter().cloned().chain(unread(columns)) {
             if !warnings.contains(&warning) {
                 warnings.push(warning);
@@ -214,224 +188,288 @@ pub fn parse_inventory(
             .get(Column::LevelRatio)
             .is_none()
             .then(|| FloorFinder::new(&floors, &names, columns.is_imperial, columns.is_japanese));
-        let one = ReadTable {
-            sheet: &sheet,
-            table,
-            columns,
-            finder: finder.as_ref(),
-            options,
-        };
-        whole.add(&one, &mut findings);
+        whole.add(&list, part, finder.as_ref(), &mut findings);
     }
     if let Some(mapping) = options.mapping {
-        let headings = tables
-            .iter()
-            .flat_map(|table| table.header.headings.values().cloned());
-        for heading in mapping.unused(headings) {
-            warnings.push(format!(
+        let headings = list.headings().map(|(_, heading)| heading.clone());
+        warnings.extend(mapping.unused(headings).iter().map(|heading| {
+            format!(
                 "the mapping file names the heading \"{heading}\", which the list does not have"
-            ));
+            )
+        }));
+    }
+    let carried = whole.carried.len();
+    for item in &mut whole.items {
+        item.carried.resize(carried, String::new());
+    }
+    list.tell_duplicates(&mut whole.items, &mut findings);
+    for item in &mut whole.items {
+        if list.sheet.hidden.rows.binary_search(&item.row).is_ok() {
+            findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", "");
+            item.doubts.push(Kind::HiddenRow);
         }
     }
-    let Whole {
-        mut items,
-        columns: columns_read,
-        carried,
-        headings,
-        mapped,
-        same_floors,
-        ..
-    } = whole;
-    for item in &mut items {
-        item.carried.resize(carried.len(), String::new());
+    warnings.extend(list.hidden_columns());
+    let cell = |item: &Item, column| list.size_cell(item, column);
+    confirm(&mut whole.items, options.edits, &mut findings, &cell);
+    if let [part] = list.parts.as_slice() {
+        findings.answer(|finding| answer(finding, &list.sheet, &part.columns));
     }
-    tell_duplicates(&mut items, &tables, &understood, &mut findings);
-    for item in items
-        .iter_mut()
-        .filter(|item| sheet.hidden.rows.binary_search(&item.row).is_ok())
-    {
-        findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", None);
-        item.doubts.push(Kind::HiddenRow);
-    }
-    warnings.extend(hidden_columns(
-        &sheet,
-        &tables,
-        &understood,
-        options.mapping,
-    ));
-    let cell = |item: &Item, column: Column| size_cell(item, column, &sheet, &tables, &understood);
-    confirm(&mut items, options.edits, &mut findings, &cell);
-    if let ([_], [columns]) = (tables.as_slice(), understood.as_slice()) {
-        findings.answer(|finding| answer(finding, &sheet, columns));
-    }
-    warnings.extend(same_floors.warning());
+    warnings.extend(whole.same_floors.warning());
     let (findings, notes) = findings.finish();
     warnings.extend(notes);
-    let cells = if options.wants_cells {
-        cells_read(&sheet, &tables)
-    } else {
-        Vec::new()
+    let cells = match options.wants_cells {
+        true => list.cells_read(),
+        false => Vec::new(),
     };
-    let mut left_out: Vec<LeftOut> = tables
-        .into_iter()
-        .flat_map(|table| table.body.left_out)
-        .collect();
+    let is_imperial = list.parts.iter().any(|part| part.columns.is_imperial);
+    let left_out = list.parts.into_iter().map(|part| part.table.body.left_out);
+    let mut left_out: Vec<LeftOut> = left_out.flatten().collect();
     left_out.sort_by_key(|left| left.row);
     let inventory = Inventory {
         libraries: Vec::new(),
         path: path.to_path_buf(),
         sha256,
-        sheet: sheet.name,
-        carried,
-        items,
+        sheet: list.sheet.name,
+        carried: whole.carried,
+        items: whole.items,
         read_with: String::new(),
         findings,
         warnings,
     };
     Ok(Reading {
         inventory,
-        columns: columns_read,
-        units: if understood.iter().any(|columns| columns.is_imperial) {
-            UnitSystem::Us
-        } else {
-            UnitSystem::Si
+        columns: whole.columns,
+        units: match is_imperial {
+            true => UnitSystem::Us,
+            false => UnitSystem::Si,
         },
-        header_row: sheet.header.row,
+        header_row: list.sheet.header.row,
         left_out,
-        mapping_file: super::mapping::written(&mapped, options.mapping),
-        headings,
+        mapping_file: written(&whole.mapped, options.mapping),
+        headings: whole.headings,
         cells,
     })
 }
 
-/// A warning about columns that are read and that a spreadsheet does not show.
-fn hidden_columns(
-    sheet: &Sheet,
-    tables: &[Table],
-    understood: &[Understood],
-    mapping: Option<&Mapping>,
-) -> Option<String> {
-    let is_hidden = |index: u32| {
-        sheet
-            .hidden
-            .columns
-            .iter()
-            .any(|(first, last)| (*first..=*last).contains(&index))
-    };
-    let uses = understood
-        .iter()
-        .flat_map(|columns| &columns.uses)
-        .map(|one| (one.index, &one.heading));
-    let headings = tables
-        .iter()
-        .flat_map(|table| &table.header.headings)
-        .map(|(index, heading)| (*index, heading));
-    let costs = headings.filter(|(_, heading)| cost_heading(heading, mapping).is_some());
-    let read = uses.chain(costs).filter(|(index, _)| is_hidden(*index));
-    let mut named: Vec<String> = read
-        .map(|(index, heading)| format!("{} ({})", letters(index as usize), shorten(heading)))
-        .collect();
-    named.sort_unstable();
-    named.dedup();
-    (!named.is_empty()).then(|| {
-        format!(
-            "a spreadsheet does not show all columns that were read, as {} hidden; show or delete them",
-            match named.as_slice() {
-                [one] => format!("{one} is"),
-                all => format!("{} are", all.join(", ")),
-            }
-        )
-    })
+/// A table of a list, and what its columns are.
+struct Part {
+    table: Table,
+    columns: Understood,
 }
 
-/// The columns of the table in which a row is.
-fn columns_of<'a>(
-    row: u32,
-    tables: &[Table],
-    understood: &'a [Understood],
-) -> Option<&'a Understood> {
-    understood.get(
-        tables
-            .partition_point(|table| table.header.row < row)
-            .checked_sub(1)?,
-    )
+/// A list whose columns are understood.
+struct List<'a> {
+    sheet: Sheet,
+    parts: Vec<Part>,
+    options: &'a ReadOptions<'a>,
 }
 
-/// The cell of a size of an object.
-fn size_cell(
-    item: &Item,
-    column: Column,
-    sheet: &Sheet,
-    tables: &[Table],
-    understood: &[Understood],
-) -> Option<SizeCell> {
-    let columns = columns_of(item.row, tables, understood)?;
-    let row = sheet.rows.get(
-        sheet
-            .rows
-            .binary_search_by_key(&item.row, |row| row.number)
-            .ok()?,
-    )?;
-    let used = [column, Column::Dimensions, Column::Diameter]
-        .into_iter()
-        .filter_map(|column| columns.get(column));
-    let mut cells = used.filter_map(|one| Some((one, row.get(one.index)?)));
-    let (one, cell) = cells.find(|(_, cell)| !cell.is_blank())?;
-    Some(SizeCell {
-        column,
-        index: one.index,
-        heading: one.heading.clone(),
-        row: item.row,
-        text: cell.shown(),
-        unit: one.unit_at(item.row),
-    })
-}
-
-/// The texts of the cells of all objects, below the headings of the first table.
-fn cells_read(sheet: &Sheet, tables: &[Table]) -> Vec<CellsRead> {
-    let texts = |row: &Row| {
-        let text = |index: &u32| row.get(*index).map(Cell::shown).unwrap_or_default();
-        CellsRead {
-            row: row.number,
-            texts: sheet.header.headings.keys().map(text).collect(),
-        }
-    };
-    let objects = tables.iter().flat_map(|table| &table.body.objects);
-    objects
-        .filter_map(|(place, _)| sheet.rows.get(*place))
-        .map(texts)
-        .collect()
-}
-
-/// The names of floors in all tables, or of sections where a table has no column of floors.
-fn floor_names(sheet: &Sheet, tables: &[Table], understood: &[Understood]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for (table, columns) in tables.iter().zip(understood) {
-        match columns.get(Column::Floor) {
-            Some(one) => {
-                let rows = table
-                    .body
-                    .objects
-                    .iter()
-                    .filter_map(|(place, _)| sheet.rows.get(*place));
-                names.extend(rows.filter_map(|row| Some(row.get(one.index)?.shown())));
-            }
-            None => names.extend(table.body.sections.iter().cloned()),
+impl<'a> List<'a> {
+    fn new(sheet: Sheet, tables: Vec<Table>, options: &'a ReadOptions<'a>) -> Self {
+        let understood = |table: Table| {
+            let mut columns = understand(&Evidence {
+                rows: &sheet.rows,
+                header: &table.header,
+                body: &table.body,
+                mapping: options.mapping,
+                has_semicolons: sheet.separator == Some(b';'),
+            });
+            bound_carried(&mut columns, table.body.objects.len());
+            Part { table, columns }
+        };
+        let parts = tables.into_iter().map(understood).collect();
+        Self {
+            sheet,
+            parts,
+            options,
         }
     }
-    names.sort_unstable();
-    names.dedup();
-    names
-}
 
-/// A table with all that its rows are read with.
-struct ReadTable<'a> {
-    sheet: &'a Sheet,
-    table: &'a Table,
-    columns: &'a Understood,
-    /// `None`: the list has shares of the height.
-    finder: Option<&'a FloorFinder>,
-    options: &'a ReadOptions<'a>,
+    /// The rows of the objects of a table.
+    fn rows<'s>(&'s self, part: &'s Part) -> impl Iterator<Item = &'s Row> {
+        part.table.body.rows(&self.sheet.rows)
+    }
+
+    /// The headings of all tables, with their columns.
+    fn headings(&self) -> impl Iterator<Item = (&u32, &String)> + Clone {
+        let parts = self.parts.iter();
+        parts.flat_map(|part| &part.table.header.headings)
+    }
+
+    /// A warning about columns that are read and that a spreadsheet does not show.
+    fn hidden_columns(&self) -> Option<String> {
+        let is_hidden = |index: u32| {
+            let mut hidden = self.sheet.hidden.columns.iter();
+            hidden.any(|(first, last)| (*first..=*last).contains(&index))
+        };
+        let uses = self.parts.iter().flat_map(|part| &part.columns.uses);
+        let uses = uses.map(|one| (&one.index, &one.heading));
+        let costs = self
+            .headings()
+            .filter(|(_, heading)| cost_heading(heading, self.options.mapping).is_some());
+        let read = uses.chain(costs).filter(|(index, _)| is_hidden(**index));
+        let mut named: Vec<String> = read
+            .map(|(index, heading)| format!("{} ({})", letters(*index as usize), shorten(heading)))
+            .collect();
+        named.sort_unstable();
+        named.dedup();
+        let named = match named.as_slice() {
+            [] => return None,
+            [one] => format!("{one} is"),
+            all => format!("{} are", all.join(", ")),
+        };
+        Some(format!(
+            "a spreadsheet does not show all columns that were read, as {named} hidden; show or delete them"
+        ))
+    }
+
+    /// The columns of the table in which a row is.
+    fn columns_of(&self, row: u32) -> Option<&Understood> {
+        let after = self
+            .parts
+            .partition_point(|part| part.table.header.row < row);
+        let part = self.parts.get(after.checked_sub(1)?)?;
+        Some(&part.columns)
+    }
+
+    /// The cell of a size of an object.
+    fn size_cell(&self, item: &Item, column: Column) -> Option<SizeCell> {
+        let columns = self.columns_of(item.row)?;
+        let row = row_at(&self.sheet.rows, item.row)?;
+        let used = [column, Column::Dimensions, Column::Diameter]
+            .into_iter()
+            .filter_map(|column| columns.get(column));
+        let mut cells = used.filter_map(|one| Some((one, row.get(one.index)?)));
+        let (one, cell) = cells.find(|(_, cell)| !cell.is_blank())?;
+        Some(SizeCell {
+            column,
+            index: one.index,
+            heading: one.heading.clone(),
+            row: item.row,
+            text: cell.shown(),
+            unit: one.unit_at(item.row),
+        })
+    }
+
+    /// The texts of the cells of all objects, below the headings of the first table.
+    fn cells_read(&self) -> Vec<CellsRead> {
+        let headings = &self.sheet.header.headings;
+        let texts = |row: &Row| CellsRead {
+            row: row.number,
+            texts: headings.keys().map(|index| row.shown(*index)).collect(),
+        };
+        let parts = self.parts.iter();
+        parts.flat_map(|part| self.rows(part)).map(texts).collect()
+    }
+
+    /// The names of floors in all tables, or of sections where a table has no column of floors.
+    fn floor_names(&self) -> Vec<String> {
+        let mut names: Vec<String> = Vec::new();
+        for part in &self.parts {
+            match part.columns.get(Column::Floor) {
+                Some(one) => {
+                    let rows = self.rows(part);
+                    names.extend(rows.filter_map(|row| Some(row.get(one.index)?.shown())));
+                }
+                None => names.extend(part.table.body.sections.iter().cloned()),
+            }
+        }
+        names.sort_unstable();
+        names.dedup();
+        names
+    }
+
+    /// The objects of a table, and for each column the cells with and without a value; `finder`: `None` where
+    /// the list has shares of the height.
+    fn items(
+        &self,
+        part: &Part,
+        finder: Option<&FloorFinder>,
+        all_findings: &mut Findings,
+    ) -> (Vec<Item>, Vec<(usize, usize)>) {
+        let Part { table, columns } = part;
+        let read_part = |objects: &[(usize, Option<usize>)]| {
+            let mut findings = Findings::new(self.options.is_strict);
+            let mut counts = vec![(0, 0); columns.uses.len()];
+            let mut items = Vec::with_capacity(objects.len());
+            for (place, section) in objects {
+                let Some(row) = self.sheet.rows.get(*place) else {
+                    continue;
+                };
+                let section = section.and_then(|section| table.body.sections.get(section));
+                let mut cells = Cells {
+                    row,
+                    rows: &self.sheet.rows,
+                    columns,
+                    merges: &self.sheet.merges,
+                    told: RowFindings::new(&mut findings),
+                    is_shifted: false,
+                    counts: &mut counts,
+                };
+                let carried = carried(&mut cells, &self.sheet, &table.header);
+                let reading = item::Reading {
+                    lookup: self.options.lookup,
+                    floors: finder,
+                    section: section.map_or("", String::as_str),
+                };
+                items.push(item(&mut Values::Cells(cells), &reading, carried));
+            }
+            (items, counts, findings)
+        };
+        // Parts are put together in their order: the result does not depend on the threads.
+        let objects = &table.body.objects;
+        let parts: Vec<_> = objects.par_chunks(ROWS_OF_A_PART).map(read_part).collect();
+        let mut counts = vec![(0, 0); columns.uses.len()];
+        let mut items = Vec::with_capacity(objects.len());
+        for (part, part_counts, part_findings) in parts {
+            items.extend(part);
+            all_findings.append(part_findings);
+            for (all, more) in counts.iter_mut().zip(part_counts) {
+                *all = (all.0 + more.0, all.1 + more.1);
+            }
+        }
+        (items, counts)
+    }
+
+    fn heading_reports(&self, part: &Part) -> Vec<HeadingReport> {
+        let header = &part.table.header;
+        let named = part.columns.headings(header).into_iter();
+        let one = |(index, (heading, column, unit)): (&u32, Headed)| HeadingReport {
+            column: letters(*index as usize),
+            heading,
+            name: column.map(Column::name),
+            unit: unit.map(|unit| unit.symbol().to_owned()),
+            header_row: header.row,
+            samples: samples(self.rows(part), *index),
+        };
+        header.headings.keys().zip(named).map(one).collect()
+    }
+
+    /// Gives later rows with an id that occurred before a number: no output could tell them apart.
+    fn tell_duplicates(&self, items: &mut [Item], findings: &mut Findings) {
+        let mut seen: HashMap<String, u32> =
+            items.iter().map(|item| (item.id.clone(), 0)).collect();
+        for item in items {
+            let count = seen.entry(item.id.clone()).or_insert(0);
+            *count += 1;
+            if *count == 1 {
+                continue;
+            }
+            let mut number = *count;
+            while seen.contains_key(&format!("{} #{number}", item.id)) {
+                number += 1;
+            }
+            let columns = self.columns_of(item.row);
+            let id = columns.and_then(|columns| columns.get(Column::Id));
+            let place = id.map_or(Place::ROW, Use::place);
+            findings.add(Kind::DuplicateId, place, Some(item.row), &item.id, "");
+            seen.insert(item.id.clone(), number);
+            item.id = format!("{} #{number}", item.id);
+            seen.insert(item.id.clone(), 1);
+            item.doubts.push(Kind::DuplicateId);
+        }
+    }
 }
 
 /// What the tables of a sheet have together.
@@ -443,24 +481,28 @@ struct Whole {
     carried: Vec<String>,
     headings: Vec<HeadingReport>,
     /// For a mapping file.
-    mapped: Vec<(String, Option<Column>, Option<CellUnit>)>,
+    mapped: Vec<Headed>,
     /// The headings in it.
     seen: HashSet<String>,
     same_floors: SameFloors,
 }
 
 impl Whole {
-    fn add(&mut self, one: &ReadTable<'_>, findings: &mut Findings) {
-        let (mut items, counts) = one.items(findings);
+    fn add(
+        &mut self,
+        list: &List<'_>,
+        part: &Part,
+        finder: Option<&FloorFinder>,
+        findings: &mut Findings,
+    ) {
+        let Part { table, columns } = part;
+        let (mut items, counts) = list.items(part, finder, findings);
         // Columns of one heading in two tables are one.
         let above = self.carried.len();
-        let mut slots = Vec::with_capacity(one.columns.carried.len());
-        for (_, heading) in &one.columns.carried {
-            let same = self
-                .carried
-                .iter()
-                .take(above)
-                .position(|other| canonical(other) == canonical(heading));
+        let mut slots = Vec::with_capacity(columns.carried.len());
+        for (_, heading) in &columns.carried {
+            let mut known = self.carried.iter().take(above);
+            let same = known.position(|other| canonical(other) == canonical(heading));
             slots.push(same.unwrap_or(self.carried.len()));
             if same.is_none() {
                 self.carried.push(heading.clone());
@@ -469,20 +511,18 @@ impl Whole {
         for item in &mut items {
             let mut carried = vec![String::new(); self.carried.len()];
             for (slot, text) in slots.iter().zip(std::mem::take(&mut item.carried)) {
-                if let Some(place) = carried.get_mut(*slot) {
-                    *place = text;
-                }
+                carried[*slot] = text;
             }
             item.carried = carried;
-            if let Some(finder) = one.finder {
+            if let Some(finder) = finder {
                 self.same_floors.take(item, finder);
             }
         }
         self.items.extend(items);
         self.columns
-            .extend(columns_read(one.columns, &counts, one.table.header.row));
-        self.headings.extend(one.headings());
-        for heading in one.columns.headings(&one.table.header) {
+            .extend(columns_read(columns, &counts, table.header.row));
+        self.headings.extend(list.heading_reports(part));
+        for heading in columns.headings(&table.header) {
             if self.seen.insert(canonical(&heading.0)) {
                 self.mapped.push(heading);
             }
@@ -521,108 +561,16 @@ impl SameFloors {
             .iter()
             .map(|(other, first)| format!("\"{}\" is \"{}\"", shorten(other), shorten(first)))
             .collect();
-        (!said.is_empty()).then(|| {
-            format!(
-                "one floor has several names in the list: {}",
-                said.join(", ")
-            )
-        })
-    }
-}
-
-impl ReadTable<'_> {
-    /// The objects, and for each column the cells with and without a value.
-    fn items(&self, all_findings: &mut Findings) -> (Vec<Item>, Vec<(usize, usize)>) {
-        let Self {
-            sheet,
-            table,
-            columns,
-            finder,
-            options,
-        } = *self;
-        let body = &table.body;
-        let read_part = |part: &[(usize, Option<usize>)]| {
-            let mut findings = Findings::new(options.is_strict);
-            let mut counts = vec![(0, 0); columns.uses.len()];
-            let mut items = Vec::with_capacity(part.len());
-            for (place, section) in part {
-                let Some(row) = sheet.rows.get(*place) else {
-                    continue;
-                };
-                let section = section
-                    .and_then(|section| body.sections.get(section))
-                    .map_or("", String::as_str);
-                let mut cells = Cells {
-                    row,
-                    rows: &sheet.rows,
-                    columns,
-                    merges: &sheet.merges,
-                    told: RowFindings::new(&mut findings),
-                    is_shifted: false,
-                    counts: &mut counts,
-                };
-                let carried = carried(&mut cells, sheet, &table.header);
-                let reading = item::Reading {
-                    lookup: options.lookup,
-                    floors: finder,
-                    section,
-                };
-                items.push(item(&mut Values::Cells(cells), &reading, carried));
-            }
-            (items, counts, findings)
-        };
-        // Parts are put together in their order: the result does not depend on the threads.
-        let parts: Vec<_> = body
-            .objects
-            .par_chunks(ROWS_OF_A_PART)
-            .map(read_part)
-            .collect();
-        let mut counts = vec![(0, 0); columns.uses.len()];
-        let mut items = Vec::with_capacity(body.objects.len());
-        for (part, part_counts, part_findings) in parts {
-            items.extend(part);
-            all_findings.append(part_findings);
-            for ((values, missing), (more_values, more_missing)) in
-                counts.iter_mut().zip(part_counts)
-            {
-                *values += more_values;
-                *missing += more_missing;
-            }
-        }
-        (items, counts)
-    }
-
-    fn headings(&self) -> Vec<HeadingReport> {
-        let objects = &self.table.body.objects;
-        let one = |(index, heading): (&u32, &String)| {
-            let found = self.columns.uses.iter().find(|one| one.index == *index);
-            let rows = objects
-                .iter()
-                .filter_map(|(place, _)| self.sheet.rows.get(*place))
-                .take(SAMPLED_ROWS);
-            HeadingReport {
-                column: letters(*index as usize),
-                heading: heading.clone(),
-                name: found.map(|one| one.column.name()),
-                unit: found
-                    .and_then(|one| one.unit)
-                    .map(|unit| unit.symbol().to_owned()),
-                header_row: self.table.header.row,
-                samples: samples(rows, *index),
-            }
-        };
-        self.table.header.headings.iter().map(one).collect()
+        let said = said.join(", ");
+        (!said.is_empty()).then(|| format!("one floor has several names in the list: {said}"))
     }
 }
 
 /// Up to five different texts of a column.
 fn samples<'r>(rows: impl Iterator<Item = &'r Row>, index: u32) -> Vec<String> {
     let mut found: Vec<String> = Vec::new();
-    for row in rows {
-        let text = row
-            .get(index)
-            .map(|cell| shorten(cell.shown().trim()))
-            .unwrap_or_default();
+    for row in rows.take(SAMPLED_ROWS) {
+        let text = shorten(row.shown(index).trim());
         if !text.is_empty() && !found.contains(&text) {
             found.push(text);
         }
@@ -639,8 +587,7 @@ fn samples<'r>(rows: impl Iterator<Item = &'r Row>, index: u32) -> Vec<String> {
 /// # Errors
 /// A file that is no list at all.
 pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingReport>, Problems> {
-    let rows =
-        super::source::first_rows(load(path)?, sheet).map_err(|problem| problem.in_file(path))?;
+    let rows = first_rows(load(path)?, sheet).map_err(|problem| problem.in_file(path))?;
     let texts = |row: &Row| {
         row.cells
             .iter()
@@ -648,29 +595,18 @@ pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingR
             .count()
     };
     // The widest row of texts that has a row below it.
-    let most = rows
-        .iter()
-        .take(rows.len().saturating_sub(1))
-        .map(texts)
-        .max()
-        .unwrap_or(0);
-    let at = rows
-        .iter()
-        .position(|row| texts(row) == most)
-        .filter(|_| most >= 2);
-    let Some((header, below)) = at.and_then(|at| Some((rows.get(at)?, rows.get(at + 1..)?))) else {
-        let problem = Problem::new(
-            ProblemKind::Format,
-            "the first rows contain no row of texts that could be headings",
-        );
-        return Err(problem
-            .hint("put a heading over each column")
-            .in_file(path)
-            .into());
+    let with_below = rows.iter().take(rows.len().saturating_sub(1));
+    let most = with_below.map(texts).max().unwrap_or(0);
+    let at = rows.iter().position(|row| texts(row) == most);
+    let found = at.and_then(|at| Some((rows.get(at)?, rows.get(at + 1..)?)));
+    let Some((header, below)) = found.filter(|_| most >= 2) else {
+        let message = "the first rows contain no row of texts that could be headings";
+        let problem = bad_file(message, "put a heading over each column");
+        return Err(problem.in_file(path).into());
     };
     let one = |(index, cell): &(u32, Cell)| {
         let text = cell.shown().trim().to_owned();
-        let found = super::headings::meaning(&text);
+        let found = meaning(&text);
         HeadingReport {
             column: letters(*index as usize),
             name: found.as_ref().map(|found| found.column.name()),
@@ -678,13 +614,12 @@ pub fn inspect_headings(path: &Path, sheet: Option<&str>) -> Result<Vec<HeadingR
                 .and_then(|found| found.unit.symbol())
                 .map(str::to_owned),
             header_row: header.number,
-            samples: samples(below.iter().take(SAMPLED_ROWS), *index),
+            samples: samples(below.iter(), *index),
             heading: text,
         }
     };
-    Ok(header
-        .cells
-        .iter()
+    let cells = header.cells.iter();
+    Ok(cells
         .filter(|(_, cell)| is_heading(cell))
         .map(one)
         .collect())
@@ -697,12 +632,12 @@ fn is_heading(cell: &Cell) -> bool {
 /// A mapping file to edit, for headings of which too few are known to read the list.
 pub fn mapping_of_headings(headings: &[HeadingReport]) -> String {
     let one = |one: &HeadingReport| {
-        let found = super::headings::meaning(&one.heading);
+        let found = meaning(&one.heading);
         let unit = found.as_ref().and_then(|found| found.unit.stated());
         (one.heading.clone(), found.map(|found| found.column), unit)
     };
     let all: Vec<_> = headings.iter().map(one).collect();
-    super::mapping::written(&all, None)
+    written(&all, None)
 }
 
 /// At most so many columns and cells are carried through as fit into memory.
@@ -736,19 +671,18 @@ fn unread(columns: &Understood) -> Vec<String> {
             ))
         })
         .collect();
-    let has =
-        |column: Column| columns.get(column).is_some() || columns.get(Column::Dimensions).is_some();
-    let is_round = columns.get(Column::Diameter).is_some();
-    for (column, what) in [
-        (Column::Height, "heights"),
-        (Column::Thickness, "depths (thicknesses)"),
-    ] {
-        let has_side = is_round && column == Column::Thickness;
-        if !has(column) && !has_side {
-            said.push(format!(
-                "the list has no column of {what} that is known: objects without it have no verdict"
-            ));
-        }
+    let has = |column: Column| columns.get(column).is_some();
+    let is_known = |side: Column| has(side) || has(Column::Dimensions);
+    let mut lacks = |what: &str| {
+        said.push(format!(
+            "the list has no column of {what} that is known: objects without it have no verdict"
+        ));
+    };
+    if !is_known(Column::Height) {
+        lacks("heights");
+    }
+    if !is_known(Column::Thickness) && !has(Column::Diameter) {
+        lacks("depths (thicknesses)");
     }
     said
 }
@@ -767,35 +701,24 @@ fn carried(cells: &mut Cells<'_>, sheet: &Sheet, header: &Header) -> Vec<String>
     {
         let count = row.cells.last().map_or(0, |(index, _)| index + 1);
         let detail = format!("has {count} cells for {width} headings, so its numbers are not used");
-        cells.told.findings.add(
-            Kind::Unreadable,
-            Place::ROW,
-            Some(row.number),
-            "",
-            Some(detail),
-        );
         let hint = "put cells that contain the separator in quotes, or give every column a heading";
-        cells
-            .told
-            .findings
-            .hint(Kind::Unreadable, Place::ROW, hint.to_owned());
+        let (kind, findings) = (Kind::Unreadable, &mut cells.told.findings);
+        findings.add(kind, Place::ROW, Some(row.number), "", &detail);
+        findings.hint(kind, Place::ROW, hint);
         cells.is_shifted = true;
     }
+    let mut note = |words| cells.told.findings.note(words, row.number);
     for (index, cell) in &row.cells {
         if let Ok(at) = columns
             .carried
             .binary_search_by_key(index, |(index, _)| *index)
         {
             match cell {
-                Cell::Error(_) => cells.told.findings.note(
-                    "an error such as #REF! in a column that is carried through",
-                    row.number,
-                ),
+                Cell::Error(_) => {
+                    note("an error such as #REF! in a column that is carried through");
+                }
                 Cell::Unevaluated | Cell::TooLong(_) => {
-                    cells.told.findings.note(
-                        "a cell without a value in a column that is carried through",
-                        row.number,
-                    );
+                    note("a cell without a value in a column that is carried through");
                 }
                 _ => {}
             }
@@ -803,49 +726,10 @@ fn carried(cells: &mut Cells<'_>, sheet: &Sheet, header: &Header) -> Vec<String>
                 *slot = cell.shown();
             }
         } else if !header.headings.contains_key(index) && !cell.is_blank() && !cells.is_shifted {
-            cells.told.findings.note(
-                "cells in columns without a heading are not read",
-                row.number,
-            );
+            note("cells in columns without a heading are not read");
         }
     }
     carried
-}
-
-/// Gives later rows with an id that occurred before a number: no output could tell them apart.
-fn tell_duplicates(
-    items: &mut [Item],
-    tables: &[Table],
-    understood: &[Understood],
-    findings: &mut Findings,
-) {
-    let mut seen: HashMap<String, u32> = items.iter().map(|item| (item.id.clone(), 0)).collect();
-    for item in items {
-        let count = seen.entry(item.id.clone()).or_insert(0);
-        *count += 1;
-        if *count == 1 {
-            continue;
-        }
-        let mut number = *count;
-        while seen.contains_key(&format!("{} #{number}", item.id)) {
-            number += 1;
-        }
-        let id =
-            columns_of(item.row, tables, understood).and_then(|columns| columns.get(Column::Id));
-        let place = match id {
-            Some(one) => Place {
-                column: Some(Column::Id),
-                index: Some(one.index),
-                heading: Some(&one.heading),
-            },
-            None => Place::ROW,
-        };
-        findings.add(Kind::DuplicateId, place, Some(item.row), &item.id, None);
-        seen.insert(item.id.clone(), number);
-        item.id = format!("{} #{number}", item.id);
-        seen.insert(item.id.clone(), 1);
-        item.doubts.push(Kind::DuplicateId);
-    }
 }
 
 fn columns_read(
@@ -853,7 +737,7 @@ fn columns_read(
     counts: &[(usize, usize)],
     header_row: u32,
 ) -> Vec<ColumnRead> {
-    let one = |(one, (values, missing)): (&super::understood::Use, &(usize, usize))| {
+    let one = |(one, (values, missing)): (&Use, &(usize, usize))| {
         let has_unit = dimension(one.column).is_some_and(|dimension| dimension != Dimension::Ratio);
         ColumnRead {
             letter: letters(one.index as usize),

@@ -1,4 +1,8 @@
 //! How a list was understood, as a document.
+#![expect(
+    missing_docs,
+    reason = "the names are those of the JSON document and state the units"
+)]
 
 use freestand::G0_M_S2;
 use freestand_input::keys::KeyStyle;
@@ -7,17 +11,13 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::columns_read::{ColumnRead, HeadingReport};
-use super::{COLUMNS, Casters, ColumnSpec, Finding, Item, Rating, Reading};
+use super::{COLUMNS, Casters, Column, ColumnSpec, Finding, Item, Rating, Reading};
 
 /// The number of rows that people are shown.
 pub const SHOWN: usize = 10;
 
 /// How a list was understood: the document of `freestand inventory check`.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct CheckReport {
     pub path: String,
     pub sha256: String,
@@ -44,7 +44,6 @@ pub struct CheckReport {
 
 /// What a column can be taken for.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
-#[expect(missing_docs, reason = "the names are those of the JSON document")]
 pub struct SenseReport {
     pub name: &'static str,
     pub meaning: &'static str,
@@ -53,23 +52,16 @@ pub struct SenseReport {
 
 /// What a column can be taken for, in the order of the template.
 pub fn senses() -> Vec<SenseReport> {
-    let unit = |spec: &ColumnSpec| (!spec.unit.is_empty()).then_some(spec.unit);
-    COLUMNS
-        .iter()
-        .map(|spec| SenseReport {
-            name: spec.name,
-            meaning: spec.meaning,
-            unit: unit(spec),
-        })
-        .collect()
+    let sense = |spec: &ColumnSpec| SenseReport {
+        name: spec.name,
+        meaning: spec.meaning,
+        unit: (!spec.unit.is_empty()).then_some(spec.unit),
+    };
+    COLUMNS.iter().map(sense).collect()
 }
 
 /// How many rows have each kind of value.
 #[derive(Debug, Default, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct Counts {
     pub rows: usize,
     /// The sum of the quantities of all rows.
@@ -84,10 +76,6 @@ pub struct Counts {
 
 /// One of the first rows.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct RowReport {
     pub row: u32,
     pub id: String,
@@ -107,10 +95,6 @@ pub struct RowReport {
 
 /// An object, in SI; what the list does not say is `null`.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct ObjectReport {
     pub row: u32,
     pub section: Option<String>,
@@ -146,10 +130,6 @@ pub struct ObjectReport {
 
 /// A row that is not an object.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct LeftOutReport {
     pub row: u32,
     pub kind: &'static str,
@@ -158,7 +138,6 @@ pub struct LeftOutReport {
 
 /// The cells of a list as they were read.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(missing_docs, reason = "the names are those of the JSON document")]
 pub struct CellsReport {
     pub columns: Vec<String>,
     pub headings: Vec<String>,
@@ -170,10 +149,6 @@ pub struct CellsReport {
 
 /// A problem, with all its cells.
 #[derive(Debug, Serialize, JsonSchema)]
-#[expect(
-    missing_docs,
-    reason = "the names are those of the JSON document and state the units"
-)]
 pub struct ProblemReport {
     pub severity: &'static str,
     pub kind: &'static str,
@@ -228,32 +203,25 @@ fn cells(reading: &Reading) -> CellsReport {
     let (columns, headings) = first
         .map(|one| (one.column.clone(), one.heading.clone()))
         .unzip();
-    let rows = reading.cells.iter().map(|cells| cells.row).collect();
+    let (rows, texts) = reading
+        .cells
+        .iter()
+        .map(|cells| (cells.row, cells.texts.clone()))
+        .unzip();
     CellsReport {
         columns,
         headings,
         rows,
-        texts: reading
-            .cells
-            .iter()
-            .map(|cells| cells.texts.clone())
-            .collect(),
+        texts,
     }
 }
 
 /// The problems of a list; messages name keys in this style.
 pub fn problem_reports(findings: &[Finding], style: KeyStyle) -> Vec<ProblemReport> {
-    findings
-        .iter()
-        .map(|finding| problem(finding, style))
-        .collect()
-}
-
-fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
-    ProblemReport {
+    let report = |finding: &Finding| ProblemReport {
         severity: finding.severity.name(),
         kind: finding.kind.name(),
-        column: finding.column.map(|column| column.name()),
+        column: finding.column.map(Column::name),
         heading: finding.heading.clone(),
         // A problem of the whole list is one.
         count: finding.rows.len().max(1),
@@ -263,7 +231,8 @@ fn problem(finding: &Finding, style: KeyStyle) -> ProblemReport {
         message: style.shown(&finding.message()),
         hint: style.shown(&finding.hint),
         edits: finding.edits.clone(),
-    }
+    };
+    findings.iter().map(report).collect()
 }
 
 fn object(item: &Item) -> ObjectReport {
@@ -309,20 +278,17 @@ fn object(item: &Item) -> ObjectReport {
 }
 
 fn counts(items: &[Item]) -> Counts {
-    let mut counts = Counts {
+    let with = |has: fn(&Item) -> bool| items.iter().filter(|item| has(item)).count();
+    Counts {
         rows: items.len(),
-        ..Counts::default()
-    };
-    for item in items {
-        counts.objects += u64::from(item.quantity);
-        counts.with_size += usize::from(item.height_m.is_some() && item.thickness_m.is_some());
-        counts.with_level += usize::from(item.level_ratio.is_some());
-        counts.with_width += usize::from(item.width_m.is_some());
-        counts.with_mass += usize::from(item.mass_kg.is_some());
-        counts.with_cushion += usize::from(item.cushion.is_some());
-        counts.with_tolerance += usize::from(item.tolerance.is_some());
+        objects: items.iter().map(|item| u64::from(item.quantity)).sum(),
+        with_size: with(|item| item.height_m.is_some() && item.thickness_m.is_some()),
+        with_level: with(|item| item.level_ratio.is_some()),
+        with_width: with(|item| item.width_m.is_some()),
+        with_mass: with(|item| item.mass_kg.is_some()),
+        with_cushion: with(|item| item.cushion.is_some()),
+        with_tolerance: with(|item| item.tolerance.is_some()),
     }
-    counts
 }
 
 fn row(item: &Item) -> RowReport {

@@ -2,21 +2,12 @@
 
 use freestand_input::words::canonical;
 
+use super::vocabulary::is_among;
+
 /// Words for a diameter in the cell of a size, in the form of [`canonical`].
-const DIAMETER: [&str; 12] = [
-    "ø",
-    "⌀",
-    "dia",
-    "diam",
-    "diameter",
-    "diametre",
-    "diametro",
-    "durchmesser",
-    "round",
-    "rund",
-    "rond",
-    "直径",
-];
+const DIAMETER: &str = "ø ⌀ dia diam diameter diametre diametro durchmesser round rund rond 直径";
+/// Signs for a diameter.
+const SIGNS: [char; 3] = ['Ø', 'ø', '⌀'];
 
 /// A length without the words that make it a diameter, and whether there were any: `Ø230`,
 /// `500 dia`, `dia. 500 mm`.
@@ -27,13 +18,12 @@ pub(super) fn without_diameter(text: &str) -> (String, bool) {
     {
         return (text.to_owned(), false);
     }
-    let is_mark = |word: &str| {
-        DIAMETER.contains(&canonical(word).as_str()) || matches!(word, "⌀" | "Ø" | "ø")
-    };
+    let is_mark =
+        |word: &str| is_among(&canonical(word), DIAMETER) || matches!(word, "⌀" | "Ø" | "ø");
     let mut rest = text.trim().to_owned();
     let mut was_found = false;
     loop {
-        let without_mark = rest.trim_start_matches(['Ø', 'ø', '⌀']).trim_start();
+        let without_mark = rest.trim_start_matches(SIGNS).trim_start();
         let start = without_mark
             .find(|c: char| !c.is_alphabetic())
             .unwrap_or(without_mark.len());
@@ -43,17 +33,11 @@ pub(super) fn without_diameter(text: &str) -> (String, bool) {
             .then(|| after.trim_start_matches(['.', ':', '=', ' ']));
         let before = begins.unwrap_or(without_mark);
         let bare = before.trim_end_matches(['.', ')', ' ', 'Ø', 'ø', '⌀']);
-        let end = bare.rfind(|c: char| !c.is_alphabetic()).map_or(0, |at| {
-            at + bare
-                .get(at..)
-                .and_then(|rest| rest.chars().next())
-                .map_or(1, char::len_utf8)
-        });
-        let (left, last) = bare.split_at(end);
+        let (left, last) = bare.split_at(bare.trim_end_matches(char::is_alphabetic).len());
         let ends = is_mark(last) && !left.trim().is_empty();
         let shorter = if ends {
             left.trim_end_matches(['(', ',', ' '])
-        } else if before.ends_with(['Ø', 'ø', '⌀']) {
+        } else if before.ends_with(SIGNS) {
             bare
         } else {
             before
@@ -69,11 +53,6 @@ pub(super) fn without_diameter(text: &str) -> (String, bool) {
 /// Whether a cell calls a size a diameter.
 pub(super) fn names_diameter(text: &str) -> bool {
     without_diameter(text).1
-}
-
-/// Whether a word is one of these, which blanks separate.
-pub(super) fn is_among(word: &str, all: &str) -> bool {
-    all.split(' ').any(|one| one == word)
 }
 
 /// Whether the cell of a column `shape` says that the base is round; `None`: it is not understood.
@@ -97,17 +76,9 @@ pub(super) fn names_round_object(text: &str) -> bool {
     const HOLDERS: &str = "rack cabinet store storage trolley cart cage holder stand shelf shelves shelving box \
         case cupboard washer press machine warmer wagen schrank regal armoire chariot armadio armario";
     // "Bust on a column": what it stands on is another object.
-    const ON: [&str; 7] = [
-        " on ",
-        " auf ",
-        " sur ",
-        " sobre ",
-        " su ",
-        " next to ",
-        " with ",
-    ];
+    const ON: &str = " on | auf | sur | sobre | su | next to | with ";
     let all = canonical(text);
-    let words = ON.iter().fold(all.as_str(), |words, on| {
+    let words = ON.split('|').fold(all.as_str(), |words, on| {
         words.split(on).next().unwrap_or(words)
     });
     let has = |all: &str| words.split(' ').any(|word| is_among(word, all));

@@ -3,9 +3,8 @@
 use freestand_input::quantity::Dimension;
 use freestand_input::words::canonical;
 
-use super::round::is_among;
 use super::units::{CellUnit, find};
-use super::vocabulary::is_ditto;
+use super::vocabulary::{is_among, is_ditto};
 
 /// The unit that the cell of a column of units states for lengths or masses: `cm`, `mm / kg`.
 pub(super) fn cell_unit(text: &str, dimension: Dimension) -> Option<CellUnit> {
@@ -20,21 +19,9 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
     const LENGTHS: &str = "dimension dimensions dim dims size sizes length lengths measurements measures masse \
         abmessungen langen grossen cotes mesures dimensiones medidas cotas dimensioni misure quote 寸法 heights";
     const MASSES: &str = "weight weights mass masses gewicht gewichte massen poids peso pesos masas pesi 重量 質量 wt wts";
-    const BOTH: [&str; 9] = [
-        "units",
-        "unit",
-        "einheiten",
-        "einheit",
-        "unites",
-        "unite",
-        "unidades",
-        "unita",
-        "単位",
-    ];
-    const BEFORE: [&str; 12] = [
-        "in", "en", "em", "are", "sind", "sont", "son", "sono", "by", "は", "is", "all",
-    ];
-    const CHAIN: [&str; 7] = ["and", "und", "et", "y", "e", "or", "&"];
+    const BOTH: &str = "units unit einheiten einheit unites unite unidades unita 単位";
+    const BEFORE: &str = "in en em are sind sont son sono by は is all";
+    const CHAIN: &str = "and und et y e or &";
     let wanted = match dimension {
         Dimension::Length => LENGTHS,
         Dimension::Mass => MASSES,
@@ -76,12 +63,10 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
     let mut is_due = false;
     for (place, word) in words.iter().enumerate() {
         let plain = canonical(word);
-        if BOTH.contains(&plain.as_str()) || is_among(&plain, wanted) {
-            is_wanted = true;
-            is_due = false;
+        if is_among(&plain, BOTH) || is_among(&plain, wanted) {
+            (is_wanted, is_due) = (true, false);
         } else if is_among(&plain, LENGTHS) || is_among(&plain, MASSES) {
-            is_wanted = false;
-            is_due = false;
+            (is_wanted, is_due) = (false, false);
         } else if matches!(word.as_str(), ":" | "：" | "=" | "(" | "[") {
             is_due = true;
         } else if let Ok(unit) = find(word, dimension)
@@ -97,7 +82,7 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
                 }
                 found = Some(unit);
             }
-        } else if BEFORE.contains(&plain.as_str()) {
+        } else if is_among(&plain, BEFORE) {
             is_due = true;
         } else {
             // "mm, kg", "mm and kg": units in a chain.
@@ -105,7 +90,7 @@ pub(super) fn sentence_unit(text: &str, dimension: Dimension) -> Option<CellUnit
                 .iter()
                 .any(|other| find(word, *other).is_ok());
             is_due &= is_unit
-                || CHAIN.contains(&plain.as_str())
+                || is_among(&plain, CHAIN)
                 || matches!(word.as_str(), "," | "、" | "/" | "&");
         }
     }

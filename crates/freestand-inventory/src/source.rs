@@ -3,13 +3,14 @@
 use std::path::Path;
 
 use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::archive::Hidden;
 use super::cell::{Flow, Row};
 use super::layout::{Header, SEARCHED_ROWS, find_header};
 use super::mapping::Mapping;
+use super::problems::bad_file;
 use super::workbook::{Formulas, Merges, Workbook};
 use super::{csv_file, encoding, workbook};
 
@@ -27,17 +28,17 @@ const TEMPLATE: &str = "freestand inventory template writes one to fill in";
 #[derive(Debug)]
 pub(super) struct Sheet {
     /// Its name, in a workbook.
-    pub(super) name: Option<String>,
+    pub name: Option<String>,
     /// The rows that are not empty, in order.
-    pub(super) rows: Vec<Row>,
-    pub(super) merges: Merges,
-    pub(super) header: Header,
+    pub rows: Vec<Row>,
+    pub merges: Merges,
+    pub header: Header,
     /// What separates the cells, in a CSV.
-    pub(super) separator: Option<u8>,
-    pub(super) formulas: Formulas,
+    pub separator: Option<u8>,
+    pub formulas: Formulas,
     /// What a spreadsheet does not show.
-    pub(super) hidden: Hidden,
-    pub(super) warnings: Vec<String>,
+    pub hidden: Hidden,
+    pub warnings: Vec<String>,
 }
 
 /// The bytes of an inventory.
@@ -63,9 +64,7 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     if bytes.starts_with(b"PK") {
         let mut workbook = Workbook::open(bytes)?;
         for (name, is_visible) in workbook.sheets() {
-            if sheet.map_or(is_visible, |wanted| {
-                name.trim().eq_ignore_ascii_case(wanted.trim())
-            }) {
+            if sheet.map_or(is_visible, |wanted| is_named(&name, wanted)) {
                 let mut rows = Vec::new();
                 workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
                 found.push(rows);
@@ -100,18 +99,17 @@ impl Sheet {
             return Self::open_workbook(bytes, sheet, mapping);
         }
         if bytes.starts_with(b"\xD0\xCF\x11\xE0") {
-            return Err(Problem::new(
-                ProblemKind::Format,
+            return Err(bad_file(
                 "is an old workbook (.xls), or one with a password",
-            )
-            .hint("save it as .xlsx without a password, or as CSV"));
+                "save it as .xlsx without a password, or as CSV",
+            ));
         }
         if let Some(sheet) = sheet {
-            return Err(Problem::new(
-                ProblemKind::Value,
-                format!("a CSV has no sheet \"{}\"", shorten(sheet)),
-            )
-            .hint("remove `sheet`, or give a workbook (.xlsx)"));
+            let message = format!("a CSV has no sheet \"{}\"", shorten(sheet));
+            return Err(Problem::value(
+                message,
+                "remove `sheet`, or give a workbook (.xlsx)",
+            ));
         }
         Self::open_csv(bytes, mapping)
     }
@@ -159,19 +157,9 @@ impl Sheet {
     ) -> Result<Self, Problem> {
         let mut workbook = Workbook::open(bytes)?;
         let sheets = workbook.sheets();
-        let listed = || {
-            let names: Vec<String> = sheets
-                .iter()
-                .take(10)
-                .map(|(name, _)| format!("\"{}\"", shorten(name)))
-                .collect();
-            names.join(", ")
-        };
+        let listed = || quoted(sheets.iter().take(10).map(|(name, _)| name));
         if let Some(wanted) = wanted {
-            let Some((name, _)) = sheets
-                .iter()
-                .find(|(name, _)| name.trim().eq_ignore_ascii_case(wanted.trim()))
-            else {
+            let Some((name, _)) = sheets.iter().find(|(name, _)| is_named(name, wanted)) else {
                 let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
                 return Err(Problem::value(message, format!("its sheets: {}", listed())));
             };
@@ -205,23 +193,18 @@ impl Sheet {
             if let Some(name) = hidden.first() {
                 let message =
                     format!("only the hidden sheet {name} has the headings of an inventory");
-                return Err(Problem::new(ProblemKind::Format, message)
-                    .hint("name it with `sheet`, or unhide it"));
+                return Err(bad_file(message, "name it with `sheet`, or unhide it"));
             }
             return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
         };
         let (name, header) = found.swap_remove(best);
-        let others: Vec<String> = found
-            .iter()
-            .map(|(name, _)| format!("\"{}\"", shorten(name)))
-            .collect();
+        let others = quoted(found.iter().map(|(name, _)| name));
         let mut warnings = Vec::new();
         if !others.is_empty() {
+            let name = shorten(&name);
             warnings.push(format!(
-                "the sheet \"{}\" was read; other sheets also look like inventories: {}; to read one, name it with \
-                 `sheet`",
-                shorten(&name),
-                others.join(", ")
+                "the sheet \"{name}\" was read; other sheets also look like inventories: {others}; to read one, name \
+                 it with `sheet`"
             ));
         }
         Self::of(&mut workbook, &name, header, warnings)
@@ -269,6 +252,16 @@ impl Sheet {
     }
 }
 
+/// Names of sheets in quotation marks.
+fn quoted<'n>(names: impl Iterator<Item = &'n String>) -> String {
+    let quoted: Vec<String> = names.map(|name| format!("\"{}\"", shorten(name))).collect();
+    quoted.join(", ")
+}
+
+fn is_named(name: &str, wanted: &str) -> bool {
+    name.trim().eq_ignore_ascii_case(wanted.trim())
+}
+
 /// Rows that are not empty, up to a number of cells.
 struct Collected {
     rows: Vec<Row>,
@@ -304,8 +297,10 @@ impl Collected {
                 "the sheet has more than {} cells, too many for an inventory",
                 self.most
             );
-            return Err(Problem::new(ProblemKind::Format, message)
-                .hint("split it into one file for each building"));
+            return Err(bad_file(
+                message,
+                "split it into one file for each building",
+            ));
         }
         Ok(self.rows)
     }
@@ -338,7 +333,7 @@ fn no_headings() -> Problem {
         "a list needs at least three headings that are known, such as id, item, height; {TEMPLATE}; a mapping file \
          (`columns`) says what other headings mean"
     );
-    Problem::new(ProblemKind::Format, message).hint(hint)
+    bad_file(message, hint)
 }
 
 #[cfg(test)]

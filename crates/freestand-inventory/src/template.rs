@@ -1,12 +1,12 @@
 //! An inventory to fill in: headings with units, rows marked as examples, and the meaning of each
 //! column.
 
-use rust_xlsxwriter::{Format, FormatAlign, Workbook, XlsxError};
+use rust_xlsxwriter::{Workbook, XlsxError};
 
 use freestand_input::problem::Problem;
 
 use super::columns::{COLUMNS, Column, ColumnSpec, Holds};
-use super::write::{Table, Written, csv, xlsx};
+use super::write::{self, Table, Written, csv, xlsx};
 
 /// The beginning of the ids of the example rows.
 pub(super) const EXAMPLE: &str = "example-";
@@ -140,33 +140,29 @@ pub fn template_xlsx() -> Result<Vec<u8>, Problem> {
 
 /// The sheet with the meaning of each column.
 fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
-    let bold = Format::new().set_bold().set_background_color("#DDE7F0");
-    let wrap = Format::new().set_text_wrap().set_align(FormatAlign::Top);
     let sheet = workbook.add_worksheet().set_name("Columns")?;
-    for (column, (title, width)) in (0u16..).zip([
+    let headings = [
         ("Column", 26),
         ("Unit", 8),
         ("Required", 10),
         ("Cells", 28),
         ("Meaning", 70),
         ("Example", 18),
-    ]) {
-        sheet.write_string_with_format(0, column, title, &bold)?;
-        sheet.set_column_width(column, width)?;
-    }
-    for (row, spec) in (1u32..).zip(columns()) {
-        let cells = [
+    ];
+    let row = |spec: &ColumnSpec| {
+        let required = if spec.is_required { "yes" } else { "" };
+        let (meaning, example) = (spec.meaning, spec.example);
+        [
             spec.name,
             spec.unit,
-            if spec.is_required { "yes" } else { "" },
+            required,
             cells(spec),
-            spec.meaning,
-            spec.example,
-        ];
-        for (column, text) in (0u16..).zip(cells) {
-            sheet.write_string_with_format(row, column, text, &wrap)?;
-        }
-    }
+            meaning,
+            example,
+        ]
+        .map(str::to_owned)
+    };
+    write::explain(sheet, headings, columns().map(row))?;
     let notes = [
         "The columns may be in any order. Columns that stay empty may be removed; other columns may be added \
          and are carried through.",
@@ -179,7 +175,6 @@ fn explain(workbook: &mut Workbook) -> Result<(), XlsxError> {
     for (row, text) in (first..).zip(notes) {
         sheet.write_string(row, 0, text)?;
     }
-    sheet.set_freeze_panes(1, 0)?;
     Ok(())
 }
 

@@ -1,9 +1,14 @@
 //! Units as people write them in headings and cells: words of six languages, plurals, capitals.
 
+use std::collections::HashMap;
+use std::sync::LazyLock;
+
 use freestand::G0_M_S2;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, Unit, lookup, parse_in_unit};
 use freestand_input::words::canonical;
+
+use super::vocabulary::{by_word, is_among};
 
 /// The unit of a column or a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,88 +44,37 @@ impl CellUnit {
 }
 
 /// Words for units, and their symbols.
-const WORDS: &[(&str, &str)] = &[
-    ("millimeter", "mm"),
-    ("millimeters", "mm"),
-    ("millimetre", "mm"),
-    ("millimetres", "mm"),
-    ("milimetros", "mm"),
-    ("millimetri", "mm"),
-    ("ミリ", "mm"),
-    ("ミリメートル", "mm"),
-    ("centimeter", "cm"),
-    ("centimeters", "cm"),
-    ("centimetre", "cm"),
-    ("centimetres", "cm"),
-    ("zentimeter", "cm"),
-    ("centimetros", "cm"),
-    ("centimetri", "cm"),
-    ("cms", "cm"),
-    ("センチ", "cm"),
-    ("センチメートル", "cm"),
-    ("meter", "m"),
-    ("meters", "m"),
-    ("metre", "m"),
-    ("metres", "m"),
-    ("metros", "m"),
-    ("metri", "m"),
-    ("mtr", "m"),
-    ("メートル", "m"),
-    ("inch", "in"),
-    ("inches", "in"),
-    ("ins", "in"),
-    ("zoll", "in"),
-    ("pouce", "in"),
-    ("pouces", "in"),
-    ("pulgada", "in"),
-    ("pulgadas", "in"),
-    ("pollici", "in"),
-    ("インチ", "in"),
-    ("feet", "ft"),
-    ("foot", "ft"),
-    ("pieds", "ft"),
-    ("pies", "ft"),
-    ("piedi", "ft"),
-    ("fuss", "ft"),
-    ("kilogram", "kg"),
-    ("kilograms", "kg"),
-    ("kilogramm", "kg"),
-    ("kilogramme", "kg"),
-    ("kilogrammes", "kg"),
-    ("kilogramos", "kg"),
-    ("chilogrammi", "kg"),
-    ("kilo", "kg"),
-    ("kilos", "kg"),
-    ("kgs", "kg"),
-    ("kgm", "kg"),
-    ("キロ", "kg"),
-    ("キログラム", "kg"),
-    ("tonne", "t"),
-    ("tonnes", "t"),
-    ("tonnen", "t"),
-    ("toneladas", "t"),
-    ("tonnellate", "t"),
-    ("トン", "t"),
-    ("pound", "lb"),
-    ("pounds", "lb"),
-    ("lbs", "lb"),
-    ("lbm", "lb"),
-    ("livres", "lb"),
-    ("libras", "lb"),
-    ("libbre", "lb"),
-    ("ポンド", "lb"),
-    ("ounces", "oz"),
-    ("msec", "ms"),
-    ("millisecond", "ms"),
-    ("milliseconds", "ms"),
-    ("millisekunden", "ms"),
-    ("sec", "s"),
-    ("seconds", "s"),
-    ("gs", "g"),
-    ("g s", "g"),
-    ("percent", "%"),
-    ("kips", "kip"),
-];
+static WORDS: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+    by_word(&[
+        (
+            "mm",
+            "millimeter|millimeters|millimetre|millimetres|milimetros|millimetri|ミリ|ミリメートル",
+        ),
+        (
+            "cm",
+            "centimeter|centimeters|centimetre|centimetres|zentimeter|centimetros|centimetri|cms|センチ|センチメートル",
+        ),
+        ("m", "meter|meters|metre|metres|metros|metri|mtr|メートル"),
+        (
+            "in",
+            "inch|inches|ins|zoll|pouce|pouces|pulgada|pulgadas|pollici|インチ",
+        ),
+        ("ft", "feet|foot|pieds|pies|piedi|fuss"),
+        (
+            "kg",
+            "kilogram|kilograms|kilogramm|kilogramme|kilogrammes|kilogramos|chilogrammi|kilo|kilos|kgs|kgm|\
+            キロ|キログラム",
+        ),
+        ("t", "tonne|tonnes|tonnen|toneladas|tonnellate|トン"),
+        ("lb", "pound|pounds|lbs|lbm|livres|libras|libbre|ポンド"),
+        ("oz", "ounces"),
+        ("ms", "msec|millisecond|milliseconds|millisekunden"),
+        ("s", "sec|seconds"),
+        ("g", "gs|g s"),
+        ("%", "percent"),
+        ("kip", "kips"),
+    ])
+});
 
 /// Why a text is not a unit of a column.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -151,10 +105,7 @@ pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit>
     }
     let words = canonical(text);
     let lower = text.to_lowercase();
-    let word = WORDS
-        .iter()
-        .find(|(word, _)| *word == words)
-        .map(|(_, symbol)| *symbol);
+    let word = WORDS.get(words.as_str()).copied();
     // N_mm and N mm in headings are N/mm.
     let slashed = text.replacen(['_', ' '], "/", 1);
     let mut other = None;
@@ -180,12 +131,7 @@ pub(super) fn find(text: &str, dimension: Dimension) -> Result<CellUnit, NoUnit>
         }
         other.get_or_insert(unit.dimension);
     }
-    if dimension == Dimension::Mass
-        && matches!(
-            words.as_str(),
-            "gram" | "grams" | "gramm" | "grammes" | "gramos" | "grammi"
-        )
-    {
+    if dimension == Dimension::Mass && is_among(&words, "gram grams gramm grammes gramos grammi") {
         return gram();
     }
     Err(other.map_or(NoUnit::Unknown, NoUnit::Other))

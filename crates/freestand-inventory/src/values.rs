@@ -7,18 +7,20 @@ use freestand_input::words::canonical;
 
 use freestand_study::study::assessment::Questions;
 
-use super::cell::{Cell, Row};
-use super::cells::{Choice, Measured, Sizes, Wrong, number_text, quantity, sizes, with_pulse};
+use super::cell::{Cell, Row, row_at};
+use super::cells::{Choice, Measured, Wrong, is_open, number_text, quantity, with_pulse};
 use super::columns::Column;
 use super::given::Given;
 use super::headings::dimension;
 use super::numbers::Decimal;
 use super::problems::{Kind, Place, RowFindings};
+use super::readings::{choice_of, is_plausible_reading};
 use super::round::{names_diameter, shape};
 use super::sentence::cell_unit;
-use super::understood::{Dialect, Understood, Use, choice_of, is_plausible_reading};
+use super::sizes::Sizes;
+use super::used::{Dialect, Understood, Use};
 use super::vocabulary::{
-    Answer, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no,
+    Answer, is_among, is_ditto, is_missing, is_no_value, rating, without_state, yes_or_no,
 };
 use super::wheels::{Wheels, casters};
 use super::workbook::Merges;
@@ -78,18 +80,15 @@ impl<'a> Values<'a> {
             Self::Cells(cells) => cells.columns.get(column),
             Self::Given(_) => None,
         };
-        one.map_or(
-            Place {
-                column: Some(column),
-                index: None,
-                heading: None,
-            },
-            Cells::place,
-        )
+        let unknown = Place {
+            column: Some(column),
+            ..Place::ROW
+        };
+        one.map_or(unknown, Use::place)
     }
 
-    /// Adds a problem of a column.
-    pub(super) fn report(&mut self, column: Column, kind: Kind, detail: Option<String>) {
+    /// Adds a problem of a column; with a detail, that is said in place of the words of its kind.
+    pub(super) fn report(&mut self, column: Column, kind: Kind, detail: &str) {
         let example = self.shown(column).unwrap_or_default();
         let (place, row) = (self.place(column), self.row());
         self.told().add(place, kind, row, &example, detail);
@@ -99,15 +98,15 @@ impl<'a> Values<'a> {
     pub(super) fn report_once(&mut self, column: Column, kind: Kind) {
         let example = self.shown(column).unwrap_or_default();
         let place = self.place(column);
-        self.told().findings.add(kind, place, None, &example, None);
+        self.told().findings.add(kind, place, None, &example, "");
     }
 
     /// Adds a wrong value with a message of another reader.
     pub(super) fn wrong(&mut self, column: Column, kind: Kind, problem: &Problem) {
-        self.report(column, kind, Some(problem.message.clone()));
+        self.report(column, kind, &problem.message);
         if let Some(hint) = problem.hint.as_ref().filter(|_| self.has(column)) {
             let place = self.place(column);
-            self.told().findings.hint(kind, place, hint.clone());
+            self.told().findings.hint(kind, place, hint);
         }
     }
 
@@ -141,50 +140,46 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// A quantity in SI that a test accepts; `expected` says what it must be.
-    fn accepted(
+    /// A value that a test accepts; `expected` says what it must be.
+    pub(super) fn accepted<T>(
         &mut self,
         column: Column,
-        accept: impl Fn(f64) -> bool,
+        value: Option<T>,
+        accept: impl FnOnce(&T) -> bool,
         expected: &str,
-    ) -> Option<f64> {
-        let value = self.number(column)?;
-        if accept(value) {
+    ) -> Option<T> {
+        let value = value?;
+        if accept(&value) {
             return Some(value);
         }
-        self.report(column, Kind::OutOfRange, Some(expected.to_owned()));
+        self.report(column, Kind::OutOfRange, expected);
         None
     }
 
     /// A positive quantity in SI.
     pub(super) fn positive(&mut self, column: Column) -> Option<f64> {
-        self.accepted(column, |value| value > 0.0, "must be above 0")
+        let value = self.number(column);
+        self.accepted(column, value, |value| *value > 0.0, "must be above 0")
     }
 
     /// A quantity in SI that may be 0.
     pub(super) fn not_negative(&mut self, column: Column) -> Option<f64> {
-        self.accepted(column, |value| value >= 0.0, "must not be below 0")
+        let value = self.number(column);
+        self.accepted(column, value, |value| *value >= 0.0, "must not be below 0")
     }
 
     /// A ratio above 0 and below 1.
     pub(super) fn share(&mut self, column: Column) -> Option<f64> {
-        let value = self.positive(column)?;
-        if value < 1.0 {
-            return Some(value);
-        }
-        let expected = "must be above 0 and below 1".to_owned();
-        self.report(column, Kind::OutOfRange, Some(expected));
-        None
+        let value = self.positive(column);
+        let expected = "must be above 0 and below 1";
+        self.accepted(column, value, |value| *value < 1.0, expected)
     }
 
     /// A positive quantity of a cell as text with its unit.
     pub(super) fn positive_text(&mut self, column: Column) -> Option<String> {
-        let found = self.cells()?.quantity(column)?;
-        if found.si > 0.0 {
-            return Some(found.text);
-        }
-        self.report(column, Kind::OutOfRange, Some("must be above 0".to_owned()));
-        None
+        let found = self.cells()?.quantity(column);
+        let found = self.accepted(column, found, |found| found.si > 0.0, "must be above 0");
+        found.map(|found| found.text)
     }
 
     /// The stiffness under one edge, where it is given as it is \[N/m\].
@@ -227,14 +222,29 @@ impl<'a> Values<'a> {
         match self {
             Self::Cells(cells) => cells.range(column),
             Self::Given(given) => {
-                let ends = given.range(column)?;
-                if is_rising(ends) {
-                    return Some(ends);
-                }
-                self.report(column, Kind::OutOfRange, Some(NOT_RISING.to_owned()));
-                None
+                let ends = given.range(column);
+                self.accepted(column, ends, |ends| is_rising(*ends), NOT_RISING)
             }
         }
+    }
+
+    /// What a text means; one that means nothing known is a problem of this kind.
+    fn meant<T>(
+        &mut self,
+        column: Column,
+        meaning: impl FnOnce(&str) -> Option<T>,
+        kind: Kind,
+        detail: &str,
+    ) -> Option<T> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return None;
+        }
+        let found = meaning(&text);
+        if found.is_none() {
+            self.report(column, kind, detail);
+        }
+        found
     }
 
     /// Whether the base is round; `None`: nothing says so.
@@ -242,54 +252,29 @@ impl<'a> Values<'a> {
         if let Self::Given(given) = self {
             return given.is_round().then_some(true);
         }
-        let text = self.text(Column::Shape);
-        if text.is_empty() {
-            return None;
-        }
-        let found = shape(&text);
-        if found.is_none() {
-            let detail =
-                "is not a shape: write box, or cylinder where the base is round".to_owned();
-            self.report(Column::Shape, Kind::Unreadable, Some(detail));
-        }
-        found
+        let detail = "is not a shape: write box, or cylinder where the base is round";
+        self.meant(Column::Shape, shape, Kind::Unreadable, detail)
     }
 
     /// High, medium or low.
     pub(super) fn rating(&mut self, column: Column) -> Option<Rating> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        match rating(&text) {
-            Some(2) => Some(Rating::High),
-            Some(1) => Some(Rating::Medium),
-            Some(_) => Some(Rating::Low),
-            None => {
-                self.report(
-                    column,
-                    Kind::Unreadable,
-                    Some("is not a rating: write H, M or L".to_owned()),
-                );
-                None
-            }
-        }
+        let rated = |text: &str| match rating(text)? {
+            2 => Some(Rating::High),
+            1 => Some(Rating::Medium),
+            _ => Some(Rating::Low),
+        };
+        let detail = "is not a rating: write H, M or L";
+        self.meant(column, rated, Kind::Unreadable, detail)
     }
 
     /// Yes or no; what is not clearly one of them is a doubt.
     pub(super) fn answer(&mut self, column: Column) -> Option<bool> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        match yes_or_no(&text) {
+        let answer = |text: &str| match yes_or_no(text) {
             Answer::Yes => Some(true),
             Answer::No => Some(false),
-            Answer::Unclear => {
-                self.report(column, Kind::AnchoredUnclear, None);
-                None
-            }
-        }
+            Answer::Unclear => None,
+        };
+        self.meant(column, answer, Kind::AnchoredUnclear, "")
     }
 
     /// What a cell says about its casters, and what else it says that the object stands on.
@@ -304,13 +289,13 @@ impl<'a> Values<'a> {
         match casters(&text) {
             Wheels::Said(found) => (Some(found), String::new()),
             Wheels::Some | Wheels::PerhapsBraked => {
-                self.report(column, Kind::Casters, None);
+                self.report(column, Kind::Casters, "");
                 (Some(Casters::Free), String::new())
             }
             Wheels::Other => (Some(Casters::None), text),
             Wheels::Unclear => {
                 let detail = "does not say whether it rolls: write no, free or braked";
-                self.report(column, Kind::NotUnderstood, Some(detail.to_owned()));
+                self.report(column, Kind::NotUnderstood, detail);
                 (None, text)
             }
         }
@@ -318,27 +303,14 @@ impl<'a> Values<'a> {
 
     /// What is asked of the object.
     pub(super) fn questions(&mut self, column: Column) -> Option<Questions> {
-        let text = self.text(column);
-        if text.is_empty() {
-            return None;
-        }
-        let plain: String = text
-            .to_lowercase()
-            .chars()
-            .filter(|c| !c.is_whitespace())
-            .collect();
-        let found = Questions::ALL
-            .iter()
-            .find(|(name, _)| *name == plain)
-            .map(|(_, questions)| *questions);
-        if found.is_none() {
-            self.report(
-                column,
-                Kind::Unreadable,
-                Some("is not a question: write falls or falls+shock".to_owned()),
-            );
-        }
-        found
+        let asked = |text: &str| {
+            let mut plain = text.to_lowercase();
+            plain.retain(|c| !c.is_whitespace());
+            let found = Questions::ALL.iter().find(|(name, _)| *name == plain);
+            found.map(|(_, questions)| *questions)
+        };
+        let detail = "is not a question: write falls or falls+shock";
+        self.meant(column, asked, Kind::Unreadable, detail)
     }
 }
 
@@ -350,31 +322,23 @@ fn is_rising((low, high): (f64, f64)) -> bool {
 
 /// A row with everything that is needed to read its cells.
 pub(super) struct Cells<'a> {
-    pub(super) row: &'a Row,
+    pub row: &'a Row,
     /// All rows of the sheet, for cells that are merged with one above.
-    pub(super) rows: &'a [Row],
-    pub(super) columns: &'a Understood,
-    pub(super) merges: &'a Merges,
-    pub(super) told: RowFindings<'a>,
+    pub rows: &'a [Row],
+    pub columns: &'a Understood,
+    pub merges: &'a Merges,
+    pub told: RowFindings<'a>,
     /// Its cells have shifted: no number is taken.
-    pub(super) is_shifted: bool,
+    pub is_shifted: bool,
     /// For each column in use: cells with a value, and cells without any.
-    pub(super) counts: &'a mut [(usize, usize)],
+    pub counts: &'a mut [(usize, usize)],
 }
 
 impl<'a> Cells<'a> {
-    fn place(one: &Use) -> Place<'_> {
-        Place {
-            column: Some(one.column),
-            index: Some(one.index),
-            heading: Some(&one.heading),
-        }
-    }
-
     /// Adds a problem of a cell.
-    fn problem(&mut self, one: &Use, kind: Kind, example: &str, detail: Option<String>) {
+    fn problem(&mut self, one: &Use, kind: Kind, example: &str, detail: &str) {
         let row = self.row.number;
-        self.told.add(Self::place(one), kind, row, example, detail);
+        self.told.add(one.place(), kind, row, example, detail);
     }
 
     /// A cell that is not blank; a cell that is merged with one above has its value.
@@ -387,16 +351,15 @@ impl<'a> Cells<'a> {
         if left != one.index {
             return None;
         }
-        let rows = self.rows;
-        let at = rows.binary_search_by_key(&top, |other| other.number).ok()?;
-        let cell = rows.get(at)?.get(left).filter(|cell| !cell.is_blank())?;
+        let merged = row_at(self.rows, top)?;
+        let cell = merged.get(left).filter(|cell| !cell.is_blank())?;
         // A mass over three rows may be that of all three.
         if matches!(
             one.column,
             Column::Mass | Column::Quantity | Column::Id | Column::Unit
         ) {
             if one.column != Column::Id {
-                self.problem(one, Kind::Merged, &cell.shown(), None);
+                self.problem(one, Kind::Merged, &cell.shown(), "");
             }
             return None;
         }
@@ -419,22 +382,19 @@ impl<'a> Cells<'a> {
             None => String::new(),
             Some(Cell::Error(text)) if text == "#N/A" => String::new(),
             Some(cell @ (Cell::Error(_) | Cell::Unevaluated)) => {
-                self.problem(one, Kind::Formula, &cell.shown(), None);
+                self.problem(one, Kind::Formula, &cell.shown(), "");
                 return String::new();
             }
             Some(Cell::TooLong(chars)) => {
                 let detail =
                     format!("has {chars} characters, more than a cell of a spreadsheet can hold");
-                self.problem(one, Kind::Unreadable, "", Some(detail));
+                self.problem(one, Kind::Unreadable, "", &detail);
                 return String::new();
             }
             Some(cell) => cell.shown().trim().to_owned(),
         };
-        let text = if column != Column::Notes && is_missing(&text) {
-            String::new()
-        } else {
-            text
-        };
+        let is_kept = column == Column::Notes || !is_missing(&text);
+        let text = if is_kept { text } else { String::new() };
         self.count(one, !text.is_empty());
         text
     }
@@ -447,20 +407,13 @@ impl<'a> Cells<'a> {
             let Some(other) = self.one_quantity(one) else {
                 continue;
             };
-            match &found {
-                None => found = Some(other),
-                // Rounding of inches to millimetres is no difference.
-                Some(first) if (first.si - other.si).abs() > 0.02 * first.si.abs() => {
-                    if let Some(first) = columns.get(column) {
-                        let example = self
-                            .row
-                            .get(first.index)
-                            .map(Cell::shown)
-                            .unwrap_or_default();
-                        self.problem(first, Kind::TwoColumns, &example, None);
-                    }
-                }
-                Some(_) => {}
+            let first = found.get_or_insert_with(|| other.clone());
+            // Rounding of inches to millimetres is no difference.
+            if (first.si - other.si).abs() > 0.02 * first.si.abs()
+                && let Some(first) = columns.get(column)
+            {
+                let example = self.row.shown(first.index);
+                self.problem(first, Kind::TwoColumns, &example, "");
             }
         }
         found
@@ -486,13 +439,15 @@ impl<'a> Cells<'a> {
                 let text = cell.shown();
                 // "Housner" in a column of restitutions says what an empty cell does.
                 let is_usual = one.column == Column::Restitution && canonical(&text) == "housner";
-                if is_ditto(&text) {
-                    let detail = "points to another cell: write the value itself".to_owned();
-                    self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+                let detail = if is_ditto(&text) {
+                    Some("points to another cell: write the value itself")
                 } else if !is_no_value(&text) && !is_usual {
-                    let detail = "is not a number, nor a usual word for a value that is not known"
-                        .to_owned();
-                    self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+                    Some("is not a number, nor a usual word for a value that is not known")
+                } else {
+                    None
+                };
+                if let Some(detail) = detail {
+                    self.problem(one, Kind::NotUnderstood, &text, detail);
                 }
                 None
             }
@@ -515,22 +470,17 @@ impl<'a> Cells<'a> {
         let dimension = dimension(one.column).unwrap_or(Dimension::Ratio);
         let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
-        let text = if one.column == Column::Tolerance {
-            with_pulse(&text).map_or(text.as_str(), |(peak, _)| peak)
-        } else {
-            &text
-        };
-        let (text, is_too_small) = if one.column == Column::Mass {
-            without_state(text)
-        } else {
-            (text, false)
+        let (text, is_too_small) = match one.column {
+            Column::Tolerance => (with_pulse(&text).map_or(&text[..], |(peak, _)| peak), false),
+            Column::Mass => without_state(&text),
+            _ => (&text[..], false),
         };
         let found = self.chosen(one, cell, text, |choice| {
             quantity(text, dimension, unit, choice)
         });
         let finite = |found: Measured| {
             if !found.si.is_finite() {
-                return Err(Wrong::new(Kind::Unreadable));
+                return Err(Kind::Unreadable.into());
             }
             self.agreed(one, found.is_bare).map(|()| found)
         };
@@ -564,36 +514,33 @@ impl<'a> Cells<'a> {
             let Some(text) = text else { continue };
             let is_unit = |dimension| cell_unit(&text, dimension).is_some();
             if !is_unit(Dimension::Length) && !is_unit(Dimension::Mass) {
-                let detail = "is not a unit of length or mass".to_owned();
-                self.problem(one, Kind::NotUnderstood, &text, Some(detail));
+                let detail = "is not a unit of length or mass";
+                self.problem(one, Kind::NotUnderstood, &text, detail);
             }
         }
     }
 
     fn doubts_of(&mut self, one: &Use, cell: &Cell, is_approximate: bool, is_bare: bool) {
         if is_approximate {
-            self.problem(one, Kind::Approximate, &cell.shown(), None);
+            self.problem(one, Kind::Approximate, &cell.shown(), "");
         }
         if is_bare && one.is_unit_assumed(self.row.number) {
             let unit = one.unit.map_or("", |unit| unit.symbol());
             let detail = format!("states no unit; {unit} was taken, which fits the list");
-            self.problem(one, Kind::UnitAssumed, &cell.shown(), Some(detail));
+            self.problem(one, Kind::UnitAssumed, &cell.shown(), &detail);
         }
     }
 
     fn refused<T>(&mut self, one: &Use, cell: &Cell, wrong: Wrong) -> Option<T> {
-        let (kind, detail) = match (wrong.kind, &one.wrong_unit) {
-            (Kind::UnitMissing, Some(text)) => (
-                Kind::UnitWrong,
-                Some(format!(
-                    "its heading has \"{}\", which is not a unit of {}",
-                    shorten(text),
-                    one.column.name()
-                )),
-            ),
-            _ => (wrong.kind, wrong.detail),
+        let Wrong { kind, detail } = match &one.wrong_unit {
+            Some(text) if wrong.kind == Kind::UnitMissing => {
+                let (unit, name) = (shorten(text), one.column.name());
+                let detail = format!("its heading has \"{unit}\", which is not a unit of {name}");
+                Wrong::because(Kind::UnitWrong, &detail)
+            }
+            _ => wrong,
         };
-        self.problem(one, kind, &cell.shown(), detail);
+        self.problem(one, kind, &cell.shown(), &detail);
         None
     }
 
@@ -605,20 +552,15 @@ impl<'a> Cells<'a> {
         text: &str,
         read: impl Fn(Choice) -> Result<T, Wrong>,
     ) -> Result<T, Wrong> {
-        let is_open = matches!(cell, Cell::Text(_)) && super::cells::is_open(text);
+        let is_open = matches!(cell, Cell::Text(_)) && is_open(text);
         if !is_open {
             return read(choice_of(cell, text, one.dialect).unwrap_or(Choice::Decimal));
         }
         let fits = |choice| is_plausible_reading(self.columns, one, self.row, text, choice);
-        let ambiguous = || Err(Wrong::new(Kind::NumberAmbiguous));
+        let ambiguous = || Err(Kind::NumberAmbiguous.into());
         match one.dialect {
             Dialect::One(sign) => {
-                let other = if sign == Decimal::Comma {
-                    Decimal::Point
-                } else {
-                    Decimal::Comma
-                };
-                let (own, other) = (Choice::Sign(sign), Choice::Sign(other));
+                let (own, other) = (Choice::Sign(sign), Choice::Sign(sign.other()));
                 match (fits(own), fits(other)) {
                     // In a list of both signs plausibility decides; in any other it contradicts.
                     (false, true) if self.columns.has_both_signs => read(other),
@@ -646,10 +588,9 @@ impl<'a> Cells<'a> {
         let one = columns.get(Column::Tolerance)?;
         let text = number_text(self.cell(one)?).ok().flatten()?;
         let (_, duration) = with_pulse(&text)?;
-        let sign = if let Dialect::One(sign) = one.dialect {
-            sign
-        } else {
-            Decimal::Point
+        let sign = match one.dialect {
+            Dialect::One(sign) => sign,
+            _ => Decimal::Point,
         };
         quantity(duration, Dimension::Time, None, Choice::Sign(sign))
             .ok()
@@ -663,20 +604,18 @@ impl<'a> Cells<'a> {
         let one = columns.get(Column::Dimensions)?;
         let (cell, text) = self.numeric(one)?;
         let unit = one.unit_at(self.row.number);
-        let found = self.chosen(one, cell, &text, |choice| {
-            sizes(&text, unit, one.order.as_deref(), choice)
-        });
+        let found = self.chosen(one, cell, &text, |choice| one.sizes(&text, unit, choice));
         let positive = |found: Sizes| {
             let all = [found.height, found.width, found.thickness];
             let is_wrong = all.iter().flatten().any(|size| *size <= 0.0);
             if is_wrong {
-                return Err(Wrong::out_of_range("must be above 0"));
+                return Err(Wrong::because(Kind::OutOfRange, "must be above 0"));
             }
             self.agreed(one, found.is_bare).map(|()| found)
         };
         let found = self.taken(one, cell, found.and_then(positive))?;
         if found.is_order_guessed {
-            self.problem(one, Kind::DimensionOrder, &cell.shown(), None);
+            self.problem(one, Kind::DimensionOrder, &cell.shown(), "");
         }
         self.doubts_of(one, cell, found.is_approximate, found.is_bare);
         Some(found)
@@ -684,56 +623,49 @@ impl<'a> Cells<'a> {
 
     /// Whether a cell of a side calls it a diameter.
     fn is_diameter(&self, column: Column) -> bool {
-        let cell = self
-            .columns
-            .get(column)
-            .and_then(|one| self.row.get(one.index));
-        cell.is_some_and(|cell| matches!(cell, Cell::Text(text) if names_diameter(text)))
+        let one = self.columns.get(column);
+        let cell = one.and_then(|one| self.row.get(one.index));
+        matches!(cell, Some(Cell::Text(text)) if names_diameter(text))
     }
 
     /// A whole number, at least 1.
     fn whole(&mut self, column: Column) -> Option<u32> {
         // "2 pcs" and "3x" are counts.
-        const WORDS: [&str; 14] = [
-            "pcs", "pc", "off", "x", "ea", "each", "units", "nos", "no", "stk", "stuck", "st",
-            "台", "個",
-        ];
+        const COUNTS: &str = "pcs pc off x ea each units nos no stk stuck st 台 個";
+        // "2 pairs" are four.
+        const PAIRS: &str = "pair pairs pr prs paar paare paire paires pares paia 対";
+        const DOZENS: &str = "dozen dz dutzend douzaine docena dozzina";
         let columns = self.columns;
         let one = columns.get(column)?;
         let (cell, text) = self.numeric(one)?;
         let bare = text.trim_end_matches(|c: char| !c.is_ascii_digit()).trim();
         let rest = canonical(text.get(bare.len()..).unwrap_or_default());
-        let text = if WORDS.contains(&rest.as_str()) {
-            bare
+        let (times, text) = if is_among(&rest, PAIRS) {
+            (2.0, bare)
+        } else if is_among(&rest, DOZENS) {
+            (12.0, bare)
+        } else if is_among(&rest, COUNTS) {
+            (1.0, bare)
         } else {
-            &text
+            (1.0, &text[..])
         };
-        // "2 pairs" are four.
-        let times = match rest.as_str() {
-            "pair" | "pairs" | "pr" | "prs" | "paar" | "paare" | "paire" | "paires" | "pares"
-            | "paia" | "対" => 2.0,
-            "dozen" | "dz" | "dutzend" | "douzaine" | "docena" | "dozzina" => 12.0,
-            _ => 1.0,
-        };
-        let text = if times > 1.0 { bare } else { text };
         let text = text.strip_prefix(['x', 'X', '×']).map_or(text, str::trim);
         let found = self.chosen(one, cell, text, |choice| {
             quantity(text, Dimension::Ratio, None, choice)
         });
         let whole = |found: Measured| {
-            let found = Measured {
-                si: times * found.si,
-                ..found
-            };
-            match found.si >= 1.0 && found.si <= 1e6 && found.si.fract() == 0.0 {
-                true => Ok(found),
-                false => Err(Wrong::out_of_range("must be a whole number, at least 1")),
+            let si = times * found.si;
+            if (1.0..=1e6).contains(&si) && si.fract() == 0.0 {
+                Ok(Measured { si, ..found })
+            } else {
+                let detail = "must be a whole number, at least 1";
+                Err(Wrong::because(Kind::OutOfRange, detail))
             }
         };
         let found = self.taken(one, cell, found.and_then(whole))?;
         if times > 1.0 {
             let detail = format!("was read as {}", found.si);
-            self.problem(one, Kind::Approximate, &cell.shown(), Some(detail));
+            self.problem(one, Kind::Approximate, &cell.shown(), &detail);
         }
         self.doubts_of(one, cell, found.is_approximate, false);
         Some(found.si as u32)
@@ -755,7 +687,7 @@ impl<'a> Cells<'a> {
         };
         let rising = |ends| match is_rising(ends) {
             true => Ok(ends),
-            false => Err(Wrong::out_of_range(NOT_RISING)),
+            false => Err(Wrong::because(Kind::OutOfRange, NOT_RISING)),
         };
         self.taken(one, cell, both.and_then(rising))
     }

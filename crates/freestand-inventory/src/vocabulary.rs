@@ -1,16 +1,40 @@
 //! Words that people write into cells, in six languages.
 
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
+
 use freestand_input::words::canonical;
+
+use super::numbers::has_digit;
+
+/// Whether a word is one of these, which blanks separate.
+pub(super) fn is_among(word: &str, all: &str) -> bool {
+    all.split(' ').any(|one| one == word)
+}
+
+/// Whether a text is one of these, which `|` separates.
+pub(super) fn is_phrase(text: &str, all: &str) -> bool {
+    all.split('|').any(|one| one == text)
+}
+
+/// Texts by what they mean; `|` separates those of one meaning.
+pub(super) fn by_word<T: Copy>(table: &[(T, &'static str)]) -> HashMap<&'static str, T> {
+    let words = |(meaning, all): &(T, &'static str)| {
+        let meaning = *meaning;
+        all.split('|').map(move |word| (word, meaning))
+    };
+    table.iter().flat_map(words).collect()
+}
 
 /// Whether a text says that the value is not known.
 pub(super) fn is_missing(text: &str) -> bool {
     // No such word has a digit or is long: most cells need no comparison.
-    if text.len() > 40 || text.bytes().any(|byte| byte.is_ascii_digit()) {
+    if text.len() > 40 || has_digit(text) {
         return false;
     }
     let words = canonical(text);
     // Only dashes, question marks and the like; letters of other scripts are words.
-    (words.is_empty() && marked(text).is_none()) || MISSING.contains(&words.as_str())
+    (words.is_empty() && marked(text).is_none()) || MISSING.contains(words.as_str())
 }
 
 /// What a mark in a cell says, as in a form; `None`: it is no such mark.
@@ -24,104 +48,24 @@ fn marked(text: &str) -> Option<Answer> {
 
 /// Whether a text says that there is nothing, or that it is not known.
 pub(super) fn is_no_value(text: &str) -> bool {
-    const NOTHING: [&str; 9] = [
-        "no",
-        "nein",
-        "non",
-        "nee",
-        "keine",
-        "kein",
-        "aucun",
-        "ninguno",
-        "free standing",
-    ];
-    is_missing(text) || NOTHING.contains(&canonical(text).as_str())
+    const NOTHING: &str = "no|nein|non|nee|keine|kein|aucun|ninguno|free standing";
+    is_missing(text) || is_phrase(&canonical(text), NOTHING)
 }
 
 /// In the form of [`canonical`].
-const MISSING: [&str; 57] = [
-    "n a",
-    "na",
-    "tbd",
-    "tbc",
-    "tba",
-    "unk",
-    "unknown",
-    "none",
-    "nil",
-    "null",
-    "nan",
-    "see manual",
-    "see drawing",
-    "not known",
-    "not available",
-    "not applicable",
-    "not measured",
-    "to be confirmed",
-    "to be determined",
-    "k a",
-    "ka",
-    "unbekannt",
-    "entfallt",
-    "bilinmiyor",
-    "desconhecido",
-    "nao disponivel",
-    "未知",
-    "无",
-    "yok",
-    "nicht bekannt",
-    "keine",
-    "keine angabe",
-    "fehlt",
-    "offen",
-    "neant",
-    "inconnu",
-    "inconnue",
-    "n d",
-    "nd",
-    "n c",
-    "nc",
-    "non connu",
-    "aucun",
-    "s d",
-    "sd",
-    "desconocido",
-    "desconocida",
-    "ninguno",
-    "no disponible",
-    "sconosciuto",
-    "sconosciuta",
-    "non noto",
-    "nessuno",
-    "不明",
-    "未定",
-    "なし",
-    "未確認",
-];
+static MISSING: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    "n a|na|tbd|tbc|tba|unk|unknown|none|nil|null|nan|see manual|see drawing|not known|\
+        not available|not applicable|not measured|to be confirmed|to be determined|k a|ka|unbekannt|entfallt|\
+        bilinmiyor|desconhecido|nao disponivel|未知|无|yok|nicht bekannt|keine|keine angabe|fehlt|offen|neant|\
+        inconnu|inconnue|n d|nd|n c|nc|non connu|aucun|s d|sd|desconocido|desconocida|ninguno|no disponible|\
+        sconosciuto|sconosciuta|non noto|nessuno|不明|未定|なし|未確認"
+    .split('|')
+    .collect()
+});
 
 /// Words that begin a row of totals.
-const TOTALS: [&str; 20] = [
-    "total",
-    "totals",
-    "subtotal",
-    "sub",
-    "grand",
-    "sum",
-    "sums",
-    "summe",
-    "summen",
-    "zwischensumme",
-    "gesamt",
-    "gesamtsumme",
-    "gesamtgewicht",
-    "somme",
-    "sous",
-    "suma",
-    "totale",
-    "totales",
-    "subtotale",
-    "totaux",
-];
+const TOTALS: &str = "total totals subtotal sub grand sum sums summe summen zwischensumme gesamt gesamtsumme \
+        gesamtgewicht somme sous suma totale totales subtotale totaux";
 
 /// Whether a text begins a row of totals.
 pub(super) fn begins_total(text: &str) -> bool {
@@ -129,7 +73,7 @@ pub(super) fn begins_total(text: &str) -> bool {
     let mut each = words.split(' ');
     let first = each.next().unwrap_or_default();
     let second = each.next().unwrap_or_default();
-    let is_total = TOTALS.contains(&first)
+    let is_total = is_among(first, TOTALS)
         && match first {
             "sub" | "sous" | "grand" => second.starts_with("total"),
             // A surveyor's instrument.
@@ -147,18 +91,10 @@ pub(super) fn begins_note(text: &str) -> bool {
     let words = canonical(text);
     let first = words.split(' ').next().unwrap_or_default();
     text.trim_start().starts_with(['*', '※'])
-        || [
-            "note",
-            "notes",
-            "nb",
-            "hinweis",
-            "anmerkung",
-            "remarque",
-            "nota",
-            "remark",
-            "continued",
-        ]
-        .contains(&first)
+        || is_among(
+            first,
+            "note notes nb hinweis anmerkung remarque nota remark continued",
+        )
 }
 
 /// What a cell answers to yes or no.
@@ -173,143 +109,17 @@ pub(super) enum Answer {
 /// Whether an object is anchored. Yes is only what cannot mean anything else: an object that is taken
 /// as anchored is not assessed. Letters and signs are no words: "x" may mean either.
 pub(super) fn yes_or_no(text: &str) -> Answer {
-    const YES: [&str; 51] = [
-        "yes",
-        "true",
-        "anchored",
-        "bolted",
-        "fixed",
-        "secured",
-        "restrained",
-        "screwed",
-        "ja",
-        "verankert",
-        "verschraubt",
-        "befestigt",
-        "gesichert",
-        "angeschraubt",
-        "wahr",
-        "oui",
-        "fixe",
-        "fixee",
-        "ancre",
-        "ancree",
-        "visse",
-        "vissee",
-        "boulonne",
-        "boulonnee",
-        "vrai",
-        "si",
-        "anclado",
-        "anclada",
-        "fijado",
-        "fijada",
-        "fijo",
-        "atornillado",
-        "verdadero",
-        "ancorato",
-        "ancorata",
-        "fissato",
-        "fissata",
-        "vero",
-        "sim",
-        "ancorado",
-        "fixado",
-        "aparafusado",
-        "evet",
-        "sabit",
-        "sabitlenmis",
-        "有",
-        "あり",
-        "固定",
-        "固定済",
-        "はい",
-        "是",
-    ];
+    const YES: &str = "yes true anchored bolted fixed secured restrained screwed ja verankert verschraubt befestigt \
+        gesichert angeschraubt wahr oui fixe fixee ancre ancree visse vissee boulonne boulonnee vrai si anclado \
+        anclada fijado fijada fijo atornillado verdadero ancorato ancorata fissato fissata vero sim ancorado \
+        fixado aparafusado evet sabit sabitlenmis 有 あり 固定 固定済 はい 是";
     // What may stand beside a yes: "bolted to the slab", "yes, 4 bolts M12".
-    const HOW: [&str; 33] = [
-        "to",
-        "the",
-        "a",
-        "floor",
-        "slab",
-        "wall",
-        "concrete",
-        "base",
-        "with",
-        "and",
-        "by",
-        "at",
-        "bolt",
-        "bolts",
-        "anchor",
-        "anchors",
-        "screws",
-        "x",
-        "each",
-        "corner",
-        "corners",
-        "expansion",
-        "chemical",
-        "am",
-        "an",
-        "im",
-        "boden",
-        "der",
-        "wand",
-        "au",
-        "sol",
-        "mur",
-        "al",
-    ];
-    const NO: [&str; 46] = [
-        "n",
-        "no",
-        "false",
-        "0",
-        "free",
-        "freestanding",
-        "free standing",
-        "not anchored",
-        "not bolted",
-        "not fixed",
-        "unanchored",
-        "unrestrained",
-        "loose",
-        "nein",
-        "frei",
-        "freistehend",
-        "nicht verankert",
-        "nicht befestigt",
-        "falsch",
-        "non",
-        "libre",
-        "non fixe",
-        "pas fixe",
-        "non ancre",
-        "faux",
-        "sin anclar",
-        "sin fijar",
-        "libero",
-        "non fissato",
-        "non ancorato",
-        "falso",
-        "nao",
-        "nao fixado",
-        "solto",
-        "livre",
-        "hayır",
-        "hayir",
-        "yok",
-        "sabit degil",
-        "serbest",
-        "無",
-        "なし",
-        "未固定",
-        "否",
-        "いいえ",
-        "没有",
-    ];
+    const HOW: &str = "to the a floor slab wall concrete base with and by at bolt bolts anchor anchors screws x \
+        each corner corners expansion chemical am an im boden der wand au sol mur al";
+    const NO: &str = "n|no|false|0|free|freestanding|free standing|not anchored|not bolted|not fixed|unanchored|\
+        unrestrained|loose|nein|frei|freistehend|nicht verankert|nicht befestigt|falsch|non|libre|non fixe|\
+        pas fixe|non ancre|faux|sin anclar|sin fijar|libero|non fissato|non ancorato|falso|nao|nao fixado|solto|\
+        livre|hayır|hayir|yok|sabit degil|serbest|無|なし|未固定|否|いいえ|没有";
     if let Some(answer) = marked(text) {
         return answer;
     }
@@ -317,7 +127,7 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
     if text.contains(['?', '？']) {
         return Answer::Unclear;
     }
-    if NO.contains(&words.as_str()) {
+    if is_phrase(&words, NO) {
         return Answer::No;
     }
     // Sizes of bolts: M12, 4x.
@@ -329,8 +139,8 @@ pub(super) fn yes_or_no(text: &str) -> Answer {
     };
     let mut each = words.split(' ');
     let first = each.next().unwrap_or_default();
-    if YES.contains(&first)
-        && each.all(|word| YES.contains(&word) || HOW.contains(&word) || is_size(word))
+    if is_among(first, YES)
+        && each.all(|word| is_among(word, YES) || is_among(word, HOW) || is_size(word))
     {
         return Answer::Yes;
     }
@@ -370,103 +180,27 @@ pub(super) fn is_ditto(text: &str) -> bool {
 /// A number without the words behind it that say in which state a mass was taken, and whether it may be
 /// too small: `1400 full`, `85 kg empty`.
 pub(super) fn without_state(text: &str) -> (&str, bool) {
-    const FULL: [&str; 17] = [
-        "full",
-        "loaded",
-        "laden",
-        "filled",
-        "gross",
-        "operating",
-        "wet",
-        "in service",
-        "voll",
-        "beladen",
-        "brutto",
-        "plein",
-        "charge",
-        "lleno",
-        "pieno",
-        "cheio",
-        "dolu",
-    ];
-    const EMPTY: [&str; 11] = [
-        "empty", "dry", "net", "unladen", "tare", "leer", "netto", "vide", "vacio", "vuoto", "bos",
-    ];
+    const FULL: &str = "full loaded laden filled gross operating wet voll beladen brutto plein charge \
+        lleno pieno cheio dolu";
+    const EMPTY: &str = "empty dry net unladen tare leer netto vide vacio vuoto bos";
     let trimmed = text.trim().trim_end_matches([')', '.', ' ']);
-    let Some(at) = trimmed.rfind(|c: char| !c.is_alphabetic()) else {
-        return (text, false);
-    };
-    let start = at
-        + trimmed
-            .get(at..)
-            .and_then(|rest| rest.chars().next())
-            .map_or(1, char::len_utf8);
-    let (before, word) = trimmed.split_at(start);
+    let (before, word) = trimmed.split_at(trimmed.trim_end_matches(char::is_alphabetic).len());
     let word = canonical(word);
     let before = before.trim_end_matches(['(', ',', ' ', '-']);
-    let is_empty = EMPTY.contains(&word.as_str());
-    if !before.chars().any(|c| c.is_ascii_digit()) || !(is_empty || FULL.contains(&word.as_str())) {
-        return (text, false);
+    let is_empty = is_among(&word, EMPTY);
+    if has_digit(before) && (is_empty || is_among(&word, FULL)) {
+        (before, is_empty)
+    } else {
+        (text, false)
     }
-    (before, is_empty)
 }
 
 /// The text without the words that make its number a rough one, and whether there were any.
 pub(super) fn without_approximation(text: &str) -> (&str, bool) {
-    const BEFORE: [&str; 26] = [
-        "approximately",
-        "approx.",
-        "approx",
-        "about",
-        "abt.",
-        "abt",
-        "estimated",
-        "est.",
-        "est",
-        "circa",
-        "ca.",
-        "ca",
-        "c.",
-        "environ",
-        "env.",
-        "env",
-        "aprox.",
-        "aprox",
-        "etwa",
-        "rund",
-        "ungefähr",
-        "ungef.",
-        "約",
-        "约",
-        "~",
-        "≈",
-    ];
-    const AFTER: [&str; 24] = [
-        "(estimated)",
-        "(est.)",
-        "(est)",
-        "(approx.)",
-        "(approx)",
-        "(ca.)",
-        "(circa)",
-        "(geschätzt)",
-        "(gesch.)",
-        "(estimé)",
-        "(estimée)",
-        "(estimado)",
-        "(stimato)",
-        "(?)",
-        "(~)",
-        "est.",
-        "est",
-        "approx.",
-        "approx",
-        "environ",
-        "ca.",
-        "estimated",
-        "程度",
-        "?",
-    ];
+    const BEFORE: &str = "approximately|approx.|approx|about|abt.|abt|estimated|est.|est|circa|ca.|ca|c.|environ|\
+        env.|env|aprox.|aprox|etwa|rund|ungefähr|ungef.|約|约|~|≈";
+    const AFTER: &str = "(estimated)|(est.)|(est)|(approx.)|(approx)|(ca.)|(circa)|(geschätzt)|(gesch.)|(estimé)|\
+        (estimée)|(estimado)|(stimato)|(?)|(~)|est.|est|approx.|approx|environ|ca.|estimated|程度|?";
     let mut rest = text.trim();
     let mut was_found = false;
     // A bare number, as most cells are.
@@ -484,13 +218,13 @@ pub(super) fn without_approximation(text: &str) -> (&str, bool) {
         } else {
             rest
         };
-        let before = BEFORE.iter().find_map(|mark| {
+        let before = BEFORE.split('|').find_map(|mark| {
             let after = rest.get(lower.strip_prefix(mark).map(|_| mark.len())?..)?;
             // "c.g." is no "c.", "cabinet" no "ca".
             (!mark.ends_with(char::is_alphabetic) || !after.starts_with(char::is_alphabetic))
                 .then_some(after)
         });
-        let after = AFTER.iter().find_map(|mark| {
+        let after = AFTER.split('|').find_map(|mark| {
             let before = rest.get(..lower.strip_suffix(mark)?.len())?;
             (!mark.starts_with(char::is_alphabetic) || !before.ends_with(char::is_alphabetic))
                 .then_some(before)

@@ -3,35 +3,14 @@
 use freestand_input::words::canonical;
 
 use super::Casters;
-use super::round::is_among;
-use super::vocabulary::{Answer, yes_or_no};
+use super::vocabulary::{Answer, is_among, yes_or_no};
 
 /// Whether something rests on wheels.
 pub(super) fn names_wheels(text: &str) -> bool {
-    const WHEELS: [&str; 20] = [
-        "castor",
-        "caster",
-        "wheel",
-        "rollen",
-        "rader",
-        "fahrbar",
-        "roulette",
-        "roues",
-        "ruedas",
-        "ruote",
-        "rotelle",
-        "rodas",
-        "rodizio",
-        "tekerlek",
-        "キャスター",
-        "車輪",
-        "轮",
-        "mobile",
-        "on rollers",
-        "roller base",
-    ];
+    const WHEELS: &str = "castor|caster|wheel|rollen|rader|fahrbar|roulette|roues|ruedas|ruote|rotelle|rodas|rodizio|\
+        tekerlek|キャスター|車輪|轮|mobile|on rollers|roller base";
     let words = canonical(text);
-    WHEELS.iter().any(|word| words.contains(word))
+    WHEELS.split('|').any(|word| words.contains(word))
 }
 
 /// Whether a name or a note says that the object is on wheels that may roll: "shelving on castors", but not
@@ -166,26 +145,8 @@ const OTHER: &str = "feet foot pad pads mounts springs legs plinth skids glides 
 /// Whether something rolls: by a word of its own, or by what is said about its wheels.
 pub(super) fn casters(text: &str) -> Wheels {
     // Beginnings of words about brakes.
-    const ON_BRAKES: [&str; 18] = [
-        "brak",
-        "unbrak",
-        "lock",
-        "unlock",
-        "brems",
-        "gebrems",
-        "ungebrems",
-        "festst",
-        "festge",
-        "arret",
-        "frein",
-        "bloqu",
-        "blocc",
-        "blocki",
-        "fren",
-        "freio",
-        "trava",
-        "kilit",
-    ];
+    const ON_BRAKES: &str = "brak unbrak lock unlock brems gebrems ungebrems festst festge arret frein bloqu blocc \
+        blocki fren freio trava kilit";
     const ON_BRAKES_INSIDE: [&str; 4] = ["刹车", "锁", "ブレーキ", "ロック"];
     let words = canonical(text);
     let is_asked = text.contains(['?', '？']);
@@ -198,7 +159,7 @@ pub(super) fn casters(text: &str) -> Wheels {
         }
         let is_of_brakes = words
             .split(' ')
-            .any(|word| ON_BRAKES.iter().any(|start| word.starts_with(start)))
+            .any(|word| ON_BRAKES.split(' ').any(|start| word.starts_with(start)))
             || ON_BRAKES_INSIDE.iter().any(|part| words.contains(part));
         if is_of_brakes {
             let is_held = words.split(' ').any(|word| is_among(word, HELD));

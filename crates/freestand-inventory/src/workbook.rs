@@ -5,12 +5,13 @@ use std::io::Cursor;
 
 use calamine::{DataRef, Dimensions, ExcelDateTime, Reader, SheetVisible, Xlsx, XlsxError};
 
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::archive;
 use super::cell::{Cell, Flow, MAX_COLUMNS, MAX_ROWS, Row};
 use super::columns::letters;
+use super::problems::bad_file;
 
 /// The most cells of a sheet that is read or written: they are in memory. Lists of this size take
 /// 0.6 GB with 100 columns and 1.1 GB with 15.
@@ -26,9 +27,9 @@ pub(super) struct Workbook {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Formulas {
     /// Their number.
-    pub(super) count: usize,
+    pub count: usize,
     /// The cell of the first, such as `F12`.
-    pub(super) first: Option<String>,
+    pub first: Option<String>,
 }
 
 impl Formulas {
@@ -55,9 +56,9 @@ fn unreadable(error: &XlsxError) -> Problem {
             shorten(&error.to_string())
         ),
     };
-    Problem::new(ProblemKind::Format, message).hint(
-        "open it in a spreadsheet program and save it again as .xlsx without a password, or as CSV",
-    )
+    let hint =
+        "open it in a spreadsheet program and save it again as .xlsx without a password, or as CSV";
+    bad_file(message, hint)
 }
 
 impl Workbook {
@@ -94,12 +95,7 @@ impl Workbook {
             Err(XlsxError::NotAWorksheet(_)) => return Ok(formulas),
             Err(error) => return Err(unreadable(&error)),
         };
-        let mut row = Row {
-            number: 0,
-            line: None,
-            cells: Vec::new(),
-            width: None,
-        };
+        let mut row = Row::new(0);
         while let Some(read) = cells
             .next_cell_with_formula_metadata()
             .map_err(|error| unreadable(&error))?
@@ -108,8 +104,7 @@ impl Workbook {
             let place = || format!("{}{}", letters(column as usize), u64::from(at) + 1);
             if at >= MAX_ROWS || column >= MAX_COLUMNS {
                 let message = format!("cell {} lies beyond the limits of a sheet", place());
-                let problem = Problem::new(ProblemKind::Format, message);
-                return Err(problem.hint("save the workbook again, or as CSV"));
+                return Err(bad_file(message, "save the workbook again, or as CSV"));
             }
             let Some(cell) = cell(&read.value, read.formula.is_some()) else {
                 continue;
@@ -120,22 +115,12 @@ impl Workbook {
             }
             let number = at + 1;
             if number < row.number {
-                let problem = Problem::new(
-                    ProblemKind::Format,
-                    format!("row {number} follows row {}", row.number),
-                );
-                return Err(problem.hint("the workbook is damaged: save it again, or as CSV"));
+                let message = format!("row {number} follows row {}", row.number);
+                let hint = "the workbook is damaged: save it again, or as CSV";
+                return Err(bad_file(message, hint));
             }
             if number > row.number && !row.cells.is_empty() {
-                let done = std::mem::replace(
-                    &mut row,
-                    Row {
-                        number,
-                        line: None,
-                        cells: Vec::new(),
-                        width: None,
-                    },
-                );
+                let done = std::mem::replace(&mut row, Row::new(number));
                 if on_row(sorted(done)) == Flow::Enough {
                     return Ok(formulas);
                 }
@@ -219,8 +204,8 @@ type Merged = (u32, u32, (u32, u32));
 /// A range of merged cells: first and last row (from 1), first and last column (from 0).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct MergedRange {
-    pub(super) rows: (u32, u32),
-    pub(super) columns: (u32, u32),
+    pub rows: (u32, u32),
+    pub columns: (u32, u32),
 }
 
 /// Merged cells by column: their first and last row, and the cell with the value.
@@ -228,7 +213,7 @@ pub(super) struct MergedRange {
 pub(super) struct Merges {
     by_column: BTreeMap<u32, Vec<Merged>>,
     /// All of them.
-    pub(super) all: Vec<MergedRange>,
+    pub all: Vec<MergedRange>,
 }
 
 /// Largest number of columns of merged cells that are examined in one sheet.
@@ -243,21 +228,16 @@ impl Merges {
             if count > MAX_MERGED_COLUMNS {
                 break;
             }
+            let rows = (one.start.0 + 1, one.end.0 + 1);
             let columns = (one.start.1, one.end.1.min(MAX_COLUMNS - 1));
-            ranges.push(MergedRange {
-                rows: (one.start.0 + 1, one.end.0 + 1),
-                columns,
-            });
+            ranges.push(MergedRange { rows, columns });
             for column in columns.0..=columns.1 {
                 count += 1;
                 if count > MAX_MERGED_COLUMNS {
                     break;
                 }
-                by_column.entry(column).or_default().push((
-                    one.start.0 + 1,
-                    one.end.0 + 1,
-                    (one.start.0 + 1, one.start.1),
-                ));
+                let merged = (rows.0, rows.1, (rows.0, columns.0));
+                by_column.entry(column).or_default().push(merged);
             }
         }
         for column in by_column.values_mut() {

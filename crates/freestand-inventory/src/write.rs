@@ -14,6 +14,8 @@ use super::headings::{HeadingUnit, meaning};
 use super::workbook::MAX_CELLS;
 use freestand_input::formula::guarded;
 
+/// Behind headings.
+const HEADER_COLOR: &str = "#DDE7F0";
 /// Name of the sheet with the objects.
 pub(super) const SHEET: &str = "Inventory";
 /// Number of rows below the last that also have the drop-down lists.
@@ -30,8 +32,8 @@ pub(super) enum Written {
 /// A table to write: headings, and rows with at most as many cells.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Table {
-    pub(super) headings: Vec<String>,
-    pub(super) rows: Vec<Vec<Written>>,
+    pub headings: Vec<String>,
+    pub rows: Vec<Vec<Written>>,
 }
 
 impl Written {
@@ -62,17 +64,14 @@ pub(super) fn csv(table: &Table) -> Result<Vec<u8>, Problem> {
     let failed = |error: &dyn std::fmt::Display| {
         Problem::new(ProblemKind::Io, format!("cannot write the CSV: {error}"))
     };
-    let headings: Vec<String> = table
-        .headings
-        .iter()
-        .map(|heading| guarded(heading).into_owned())
-        .collect();
-    writer
-        .write_record(&headings)
-        .map_err(|error| failed(&error))?;
-    for row in &table.rows {
+    let width = table.headings.len();
+    let headings = table.headings.iter().map(|text| guarded(text).into_owned());
+    let rows = table.rows.iter().map(|row| {
         let mut cells: Vec<String> = row.iter().map(Written::in_csv).collect();
-        cells.resize(table.headings.len().max(cells.len()), String::new());
+        cells.resize(width.max(cells.len()), String::new());
+        cells
+    });
+    for cells in std::iter::once(headings.collect()).chain(rows) {
         writer
             .write_record(&cells)
             .map_err(|error| failed(&error))?;
@@ -88,6 +87,44 @@ impl Written {
             Self::Number(value) => format!("{value}"),
         }
     }
+}
+
+/// An empty workbook; with the current date, its bytes would differ from run to run.
+pub(super) fn workbook(title: &str) -> Result<Workbook, XlsxError> {
+    let mut workbook = Workbook::new();
+    let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
+    workbook.set_properties(
+        &DocProperties::new()
+            .set_title(title)
+            .set_creation_datetime(&created),
+    );
+    Ok(workbook)
+}
+
+/// The format of texts that take several lines.
+pub(super) fn wrapped() -> Format {
+    Format::new().set_text_wrap().set_align(FormatAlign::Top)
+}
+
+/// Fills a sheet with rows of texts below these headings, each with its width.
+pub(super) fn explain<const N: usize>(
+    sheet: &mut Worksheet,
+    headings: [(&str, u32); N],
+    rows: impl Iterator<Item = [String; N]>,
+) -> Result<(), XlsxError> {
+    let bold = Format::new().set_bold().set_background_color(HEADER_COLOR);
+    let wrap = wrapped();
+    for (column, (text, width)) in (0u16..).zip(headings) {
+        sheet.write_string_with_format(0, column, text, &bold)?;
+        sheet.set_column_width(column, width)?;
+    }
+    for (row, texts) in (1u32..).zip(rows) {
+        for (column, text) in (0u16..).zip(texts) {
+            sheet.write_string_with_format(row, column, text, &wrap)?;
+        }
+    }
+    sheet.set_freeze_panes(1, 0)?;
+    Ok(())
 }
 
 /// An error of rust_xlsxwriter as a problem.
@@ -108,20 +145,13 @@ pub(super) fn xlsx(
     more: impl FnOnce(&mut Workbook) -> Result<(), XlsxError>,
 ) -> Result<Vec<u8>, Problem> {
     check(table)?;
-    let mut workbook = Workbook::new();
-    let make = |workbook: &mut Workbook| -> Result<Vec<u8>, XlsxError> {
-        // With the current date, the bytes would differ from run to run.
-        let created = ExcelDateTime::from_ymd(2000, 1, 1)?;
-        workbook.set_properties(
-            &DocProperties::new()
-                .set_title("Inventory")
-                .set_creation_datetime(&created),
-        );
+    let make = || -> Result<Vec<u8>, XlsxError> {
+        let mut workbook = workbook("Inventory")?;
         fill(workbook.add_worksheet().set_name(SHEET)?, table)?;
-        more(workbook)?;
+        more(&mut workbook)?;
         workbook.save_to_buffer()
     };
-    make(&mut workbook).map_err(|error| failed(&error))
+    make().map_err(|error| failed(&error))
 }
 
 fn check(table: &Table) -> Result<(), Problem> {
@@ -156,32 +186,26 @@ fn check(table: &Table) -> Result<(), Problem> {
 /// The format of the cells of a column.
 fn number_format(heading_text: &str) -> Option<Format> {
     let found = meaning(heading_text)?;
-    match (found.column, found.column.spec().holds) {
-        (Column::Accepted, _) if found.unit == HeadingUnit::None => {
-            Some(Format::new().set_num_format("0.##%"))
-        }
-        (_, Holds::Quantity(Dimension::Ratio)) => Some(Format::new().set_num_format("0.00##")),
-        (_, Holds::Quantity(_)) => Some(Format::new().set_num_format("0.######")),
-        (
-            _,
-            Holds::Text
-            | Holds::Rating
-            | Holds::Range
-            | Holds::Answer
-            | Holds::Casters
-            | Holds::Sizes,
-        ) => Some(Format::new().set_num_format("@")),
-        (_, Holds::Count) => Some(Format::new().set_num_format("0")),
-    }
+    let format = match found.column.spec().holds {
+        _ if found.column == Column::Accepted && found.unit == HeadingUnit::None => "0.##%",
+        Holds::Quantity(Dimension::Ratio) => "0.00##",
+        Holds::Quantity(_) => "0.######",
+        Holds::Count => "0",
+        Holds::Text
+        | Holds::Rating
+        | Holds::Range
+        | Holds::Answer
+        | Holds::Casters
+        | Holds::Sizes => "@",
+    };
+    Some(Format::new().set_num_format(format))
 }
 
 fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
-    let header = Format::new()
+    let header = wrapped()
         .set_bold()
-        .set_text_wrap()
-        .set_align(FormatAlign::Top)
         .set_border_bottom(FormatBorder::Thin)
-        .set_background_color("#DDE7F0");
+        .set_background_color(HEADER_COLOR);
     let rows = u32::try_from(table.rows.len()).unwrap_or(MAX_ROWS);
     for (column, text) in (0u16..).zip(&table.headings) {
         sheet.write_string_with_format(0, column, text, &header)?;
@@ -196,13 +220,8 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
                 .allow_list_strings(&["H", "M", "L"])?
                 .set_input_title(ours.name())?
                 .set_input_message("High, medium or low; empty if not rated")?;
-            sheet.add_data_validation(
-                1,
-                column,
-                (rows + ROWS_TO_COME).min(MAX_ROWS - 1),
-                column,
-                &list,
-            )?;
+            let last = (rows + ROWS_TO_COME).min(MAX_ROWS - 1);
+            sheet.add_data_validation(1, column, last, column, &list)?;
         }
     }
     sheet.set_row_height(0, 32)?;
@@ -217,22 +236,18 @@ fn fill(sheet: &mut Worksheet, table: &Table) -> Result<(), XlsxError> {
             .zip(cells)
             .zip(formats.iter().chain(std::iter::repeat(&None)))
         {
+            // Never with a method that guesses the type: text that begins with = stays text.
             match (cell, format) {
-                (Written::Empty, _) => {}
+                (Written::Empty, _) => continue,
                 (Written::Number(value), Some(format)) => {
-                    sheet.write_number_with_format(row, column, *value, format)?;
+                    sheet.write_number_with_format(row, column, *value, format)?
                 }
-                (Written::Number(value), None) => {
-                    sheet.write_number(row, column, *value)?;
-                }
-                // Never with a method that guesses the type: text that begins with = stays text.
+                (Written::Number(value), None) => sheet.write_number(row, column, *value)?,
                 (Written::Text(text), Some(format)) => {
-                    sheet.write_string_with_format(row, column, text, format)?;
+                    sheet.write_string_with_format(row, column, text, format)?
                 }
-                (Written::Text(text), None) => {
-                    sheet.write_string(row, column, text)?;
-                }
-            }
+                (Written::Text(text), None) => sheet.write_string(row, column, text)?,
+            };
         }
     }
     Ok(())

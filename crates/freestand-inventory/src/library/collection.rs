@@ -25,14 +25,14 @@ const MAX_NEAREST: usize = 3;
 #[derive(Debug)]
 pub(super) struct Shelf<E> {
     /// The name of the command, as in `freestand tolerance list`.
-    pub(super) name: &'static str,
-    pub(super) columns: &'static [Column],
-    pub(super) builtin: &'static [u8],
+    pub name: &'static str,
+    pub columns: &'static [Column],
+    pub builtin: &'static [u8],
     /// The entry of a row, and the name of its file.
-    pub(super) read: fn(&Table, &Row, &str) -> Result<E, Problems>,
-    pub(super) id: fn(&E) -> &str,
+    pub read: fn(&Table, &Row, &str) -> Result<E, Problems>,
+    pub id: fn(&E) -> &str,
     /// The texts in which words are searched.
-    pub(super) texts: fn(&E) -> Vec<&str>,
+    pub texts: fn(&E) -> Vec<&str>,
 }
 
 /// Entries with an id and a source each.
@@ -50,12 +50,10 @@ impl<E> Library<E> {
     /// The built-in entries.
     pub(super) fn new(shelf: &'static Shelf<E>) -> Self {
         // The table is part of the program, and a test reads it.
-        let entries = shelf
-            .entries(shelf.builtin, BUILT_IN)
-            .map(|(entries, _)| entries);
+        let (entries, _) = shelf.entries(shelf.builtin, BUILT_IN).unwrap_or_default();
         Self {
             shelf,
-            entries: entries.unwrap_or_default(),
+            entries,
             inputs: Vec::new(),
             warnings: Vec::new(),
         }
@@ -71,12 +69,9 @@ impl<E> Library<E> {
         let bytes = table::load(path, self.shelf.columns)?;
         let origin = path.display().to_string();
         let in_file = |problem: Problem| problem.in_file(path);
+        let read = self.shelf.entries(&bytes, &origin);
         let (entries, warnings) =
-            self.shelf
-                .entries(&bytes, &origin)
-                .map_err(|error| Problems {
-                    problems: error.into_iter().map(in_file).collect(),
-                })?;
+            read.map_err(|error| error.into_iter().map(in_file).collect::<Problems>())?;
         let id = self.shelf.id;
         for entry in entries {
             match self.entries.iter_mut().find(|one| id(one) == id(&entry)) {
@@ -84,11 +79,10 @@ impl<E> Library<E> {
                 None => self.entries.push(entry),
             }
         }
-        self.warnings.extend(
-            warnings
-                .into_iter()
-                .map(|warning| format!("{origin}: {warning}")),
-        );
+        let told = warnings
+            .iter()
+            .map(|warning| format!("{origin}: {warning}"));
+        self.warnings.extend(told);
         self.inputs.push(InputFile::new(path, &bytes));
         Ok(self)
     }
@@ -190,18 +184,13 @@ impl<E> Shelf<E> {
             let Some(entry) = problems.keep((self.read)(&table, row, origin)) else {
                 continue;
             };
-            match lines.get((self.id)(&entry)) {
-                Some(first) => {
-                    let message = format!(
-                        "column id: line {first} already has \"{}\"",
-                        (self.id)(&entry)
-                    );
-                    problems.push(value(message, "give every entry its own id"));
-                }
-                None => {
-                    lines.insert((self.id)(&entry).to_owned(), row.line);
-                    entries.push(entry);
-                }
+            let id = (self.id)(&entry);
+            if let Some(first) = lines.get(id) {
+                let message = format!("column id: line {first} already has \"{id}\"");
+                problems.push(value(message, "give every entry its own id"));
+            } else {
+                lines.insert(id.to_owned(), row.line);
+                entries.push(entry);
             }
         }
         problems.finish(Some((entries, table.warnings)))

@@ -5,33 +5,27 @@ use serde::Serialize;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si, shorten};
+use freestand_input::quantity::{Dimension, shorten};
 
 use super::collection::{Library, Shelf};
 use super::reader::RowReader;
 use super::table::{Column, Row, Table};
-use super::tolerances::source_words;
+use super::tolerances::{range_words, source_words};
 use super::{Confidence, CushionPrior};
 
 /// The columns of a cushion library.
 const CUSHION_COLUMNS: [Column; 12] = [
-    Column::needed("id"),
-    Column::needed("item"),
-    Column {
-        needed: true,
-        ..Column::number("stiffness_low", Dimension::Stiffness)
-    },
-    Column {
-        needed: true,
-        ..Column::number("stiffness_high", Dimension::Stiffness)
-    },
+    Column::text("id").needed(),
+    Column::text("item").needed(),
+    Column::number("stiffness_low", Dimension::Stiffness).needed(),
+    Column::number("stiffness_high", Dimension::Stiffness).needed(),
     Column::number("thickness", Dimension::Length),
     Column::text("pads_per_edge"),
-    Column::needed("source"),
+    Column::text("source").needed(),
     Column::text("edition"),
     Column::text("clause"),
     Column::text("page"),
-    Column::needed("confidence"),
+    Column::text("confidence").needed(),
     Column::text("note"),
 ];
 
@@ -84,22 +78,16 @@ impl CushionEntry {
         let (low, high) = match low.zip(high) {
             Some((low, high)) if low <= high => (low, high),
             Some(_) => {
-                let (low, high) = (reader.text("stiffness_low"), reader.text("stiffness_high"));
-                let message = format!(
-                    "{} is below stiffness_low, {}",
-                    shorten(&high),
-                    shorten(&low)
-                );
+                let [low, high] =
+                    ["stiffness_low", "stiffness_high"].map(|column| shorten(&reader.text(column)));
+                let message = format!("{high} is below stiffness_low, {low}");
                 reader.note("stiffness_high", message, "swap the two values");
                 (1.0, 1.0)
             }
             None => {
                 if reader.problems.is_empty() {
-                    reader.note(
-                        "stiffness_low",
-                        "a range needs both ends",
-                        "for a single value, write it twice",
-                    );
+                    let hint = "for a single value, write it twice";
+                    reader.note("stiffness_low", "a range needs both ends", hint);
                 }
                 (1.0, 1.0)
             }
@@ -131,9 +119,11 @@ impl CushionEntry {
 
     /// `803–3196 N/mm`.
     pub fn range_words(&self) -> String {
-        let low = format_si(self.stiffness_low_n_m, Dimension::Stiffness);
-        let high = format_si(self.stiffness_high_n_m, Dimension::Stiffness);
-        format!("{}–{high}", low.split(' ').next().unwrap_or(&low))
+        range_words(
+            self.stiffness_low_n_m,
+            self.stiffness_high_n_m,
+            Dimension::Stiffness,
+        )
     }
 }
 
@@ -181,23 +171,17 @@ impl CushionLibrary {
             .collect::<Result<Vec<_>, _>>()?;
         let mut words = Words::default();
         let newtons_per_metre = |k: f64| format!("{k} N/m");
-        let pads = layers
-            .iter()
-            .map(|entry| entry.pads_per_edge)
-            .max()
-            .unwrap_or(PADS_PER_EDGE);
-        for (i, entry) in layers.iter().enumerate() {
-            if i == 0 {
-                words.set("pad_stiffness", newtons_per_metre(entry.stiffness_n_m));
-                words.set("pads_per_edge", pads.to_string());
-            } else {
-                // A layer in series is under all pads of the edge.
-                words.add(
-                    "series_stiffness",
-                    newtons_per_metre(f64::from(pads) * entry.stiffness_n_m),
-                    None,
-                );
-            }
+        let pads = layers.iter().map(|entry| entry.pads_per_edge).max();
+        let pads = pads.unwrap_or(PADS_PER_EDGE);
+        let (first, below) = layers.split_first().unzip();
+        if let Some(first) = first {
+            words.set("pad_stiffness", newtons_per_metre(first.stiffness_n_m));
+            words.set("pads_per_edge", pads.to_string());
+        }
+        for entry in below.into_iter().flatten() {
+            // A layer in series is under all pads of the edge.
+            let stiffness_n_m = f64::from(pads) * entry.stiffness_n_m;
+            words.add("series_stiffness", newtons_per_metre(stiffness_n_m), None);
         }
         let thickness_m: f64 = layers.iter().filter_map(|entry| entry.thickness_m).sum();
         if thickness_m > 0.0 {

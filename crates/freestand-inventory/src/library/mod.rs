@@ -14,7 +14,7 @@ mod tolerances;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use strum::IntoStaticStr;
+use strum::{IntoStaticStr, VariantArray};
 
 pub use collection::Library;
 pub use cushions::{CushionEntry, CushionLibrary};
@@ -79,6 +79,7 @@ impl Libraries {
     Deserialize,
     JsonSchema,
     IntoStaticStr,
+    VariantArray,
 )]
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
@@ -135,15 +136,6 @@ pub struct CushionPrior {
 }
 
 impl Confidence {
-    /// All levels of confidence, the most trusted first.
-    pub const ALL: [Self; 5] = [
-        Self::Stated,
-        Self::Primary,
-        Self::Secondary,
-        Self::Assumption,
-        Self::Recalled,
-    ];
-
     /// The name in files and outputs.
     pub fn name(self) -> &'static str {
         self.into()

@@ -3,6 +3,8 @@
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse, parse_in_unit, shorten};
 
+use strum::VariantArray as _;
+
 use super::Confidence;
 use super::table::{Row, Table};
 
@@ -10,7 +12,7 @@ use super::table::{Row, Table};
 pub(super) struct RowReader<'s> {
     table: &'s Table,
     row: &'s Row,
-    pub(super) problems: Problems,
+    pub problems: Problems,
 }
 
 impl<'s> RowReader<'s> {
@@ -59,21 +61,16 @@ impl<'s> RowReader<'s> {
                 .or_else(|problem| parse(cell.text, dimension).map_err(|_| problem)),
             None => parse(cell.text, dimension),
         };
-        match value {
-            Ok(value) if value > 0.0 && value.is_finite() => Some(value),
-            Ok(_) => {
-                self.note(
-                    column,
-                    format!("must be positive, not \"{}\"", shorten(cell.text)),
-                    "leave it empty if the value is not known",
-                );
-                None
-            }
-            Err(problem) => {
-                self.note(column, problem.message, problem.hint.unwrap_or_default());
-                None
-            }
-        }
+        let (message, hint) = match value {
+            Ok(value) if value > 0.0 && value.is_finite() => return Some(value),
+            Ok(_) => (
+                format!("must be positive, not \"{}\"", shorten(cell.text)),
+                "leave it empty if the value is not known".to_owned(),
+            ),
+            Err(problem) => (problem.message, problem.hint.unwrap_or_default()),
+        };
+        self.note(column, message, hint);
+        None
     }
 
     /// A whole number, at least 1.
@@ -82,35 +79,38 @@ impl<'s> RowReader<'s> {
         if text.is_empty() {
             return None;
         }
-        match text.parse::<u32>() {
-            Ok(count) if count > 0 => Some(count),
-            _ => {
-                self.note(
-                    column,
-                    format!(
-                        "must be a whole number, at least 1, not \"{}\"",
-                        shorten(&text)
-                    ),
-                    "write a count, or leave the cell empty if it is not known",
-                );
-                None
-            }
+        let count = text.parse().ok().filter(|count| *count > 0);
+        if count.is_none() {
+            let text = shorten(&text);
+            self.note(
+                column,
+                format!("must be a whole number, at least 1, not \"{text}\""),
+                "write a count, or leave the cell empty if it is not known",
+            );
         }
+        count
     }
 
-    /// One of the given words.
-    pub(super) fn word<T: Copy>(
+    /// One of these values, by its name.
+    pub(super) fn word<T: Copy + Into<&'static str>>(
         &mut self,
         column: &'static str,
-        words: &[(&'static str, T)],
+        values: &[T],
+    ) -> Option<T> {
+        self.one_of(column, values, T::into)
+    }
+
+    /// One of these values, with the names that `name` gives them.
+    pub(super) fn one_of<T: Copy>(
+        &mut self,
+        column: &'static str,
+        values: &[T],
+        name: impl Fn(T) -> &'static str,
     ) -> Option<T> {
         let text = self.text(column).to_lowercase();
-        let found = words
-            .iter()
-            .find(|(name, _)| *name == text)
-            .map(|(_, value)| *value);
+        let found = values.iter().copied().find(|value| name(*value) == text);
         if found.is_none() {
-            let names: Vec<&str> = words.iter().map(|(name, _)| *name).collect();
+            let names: Vec<&str> = values.iter().map(|value| name(*value)).collect();
             self.note(
                 column,
                 format!("\"{}\" is not a known value", shorten(&text)),
@@ -133,10 +133,8 @@ impl<'s> RowReader<'s> {
 
     /// The confidence; without a source with a page or a clause it must be recalled.
     pub(super) fn confidence(&mut self) -> Confidence {
-        let words = Confidence::ALL.map(|confidence| (confidence.name(), confidence));
-        let confidence = self
-            .word("confidence", &words)
-            .unwrap_or(Confidence::Recalled);
+        let confidence = self.word("confidence", Confidence::VARIANTS);
+        let confidence = confidence.unwrap_or(Confidence::Recalled);
         let is_located = ["page", "clause"]
             .iter()
             .any(|column| !self.text(column).is_empty());

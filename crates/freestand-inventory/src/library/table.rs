@@ -4,9 +4,11 @@
 use std::path::Path;
 
 use freestand_input::file::load_up_to;
-use freestand_input::problem::{Problem, ProblemKind, Problems};
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, Unit, find_unit, shorten};
 use freestand_input::words::nearest;
+
+use crate::problems::bad_file;
 
 /// Largest file of a library \[bytes\]; ten thousand entries need far less.
 const MAX_BYTES: u64 = 8 << 20;
@@ -14,6 +16,7 @@ const MAX_BYTES: u64 = 8 << 20;
 const MAX_ROWS: usize = 10_000;
 /// Largest number of columns.
 const MAX_COLUMNS: usize = 200;
+const SAVE_AS: &str = "save the table as CSV (UTF-8)";
 /// Longest header that is checked for typing mistakes.
 const MAX_NAME_CHARS: usize = 60;
 
@@ -39,17 +42,15 @@ impl Column {
 
     pub(super) const fn number(name: &'static str, dimension: Dimension) -> Self {
         Self {
-            name,
             dimension: Some(dimension),
-            needed: false,
+            ..Self::text(name)
         }
     }
 
-    pub(super) const fn needed(name: &'static str) -> Self {
+    pub(super) const fn needed(self) -> Self {
         Self {
-            name,
-            dimension: None,
             needed: true,
+            ..self
         }
     }
 }
@@ -57,14 +58,14 @@ impl Column {
 /// A cell: its text, and the unit of its column.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell<'a> {
-    pub(super) text: &'a str,
-    pub(super) unit: Option<&'static Unit>,
+    pub text: &'a str,
+    pub unit: Option<&'static Unit>,
 }
 
 /// A row, and the line where it begins.
 #[derive(Debug)]
 pub(super) struct Row {
-    pub(super) line: usize,
+    pub line: usize,
     cells: Vec<String>,
 }
 
@@ -73,8 +74,8 @@ pub(super) struct Row {
 pub(super) struct Table {
     /// The place and the unit of each known column.
     places: Vec<(&'static str, usize, Option<&'static Unit>)>,
-    pub(super) rows: Vec<Row>,
-    pub(super) warnings: Vec<String>,
+    pub rows: Vec<Row>,
+    pub warnings: Vec<String>,
 }
 
 impl Table {
@@ -112,10 +113,8 @@ pub(super) fn load(path: &Path, columns: &[Column]) -> Result<Vec<u8>, Problem> 
 /// A file that is not text, has no header or lacks a column, has rows of different lengths, or too
 /// many rows.
 pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Problems> {
-    let format = |message: String| Problem::new(ProblemKind::Format, message);
-    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)).map_err(
-        |_| format("is not text in UTF-8".to_owned()).hint("save the table as CSV (UTF-8)"),
-    )?;
+    let text = std::str::from_utf8(bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes))
+        .map_err(|_| bad_file("is not text in UTF-8", SAVE_AS))?;
     let mut reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .comment(Some(b'#'))
@@ -124,10 +123,8 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
         .from_reader(text.as_bytes());
     let mut records = reader.records();
     let Some(header) = records.next() else {
-        return Err(format("has no header".to_owned())
-            .at_line(1)
-            .hint(header_hint(columns))
-            .into());
+        let problem = bad_file("has no header", header_hint(columns));
+        return Err(problem.at_line(1).into());
     };
     let header = header.map_err(|error| csv_problem(&error))?;
     if header.len() > MAX_COLUMNS {
@@ -135,7 +132,8 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
             "has {} columns; a library has at most {MAX_COLUMNS}",
             header.len()
         );
-        return Err(format(message).at_line(1).hint(header_hint(columns)).into());
+        let problem = bad_file(message, header_hint(columns));
+        return Err(problem.at_line(1).into());
     }
     let (places, mut problems, warnings) = headers(&header, columns);
     let mut rows = Vec::new();
@@ -147,9 +145,7 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
                 break;
             }
         };
-        let line = record.position().map_or(0, |position| {
-            usize::try_from(position.line()).unwrap_or(usize::MAX)
-        });
+        let line = record.position().map_or(0, line);
         if record.iter().all(str::is_empty) {
             continue;
         }
@@ -159,19 +155,13 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
                 record.len(),
                 header.len()
             );
-            problems.push(
-                format(message)
-                    .at_line(line)
-                    .hint("put cells that contain commas in quotes"),
-            );
+            let hint = "put cells that contain commas in quotes";
+            problems.push(bad_file(message, hint).at_line(line));
             continue;
         }
         if rows.len() == MAX_ROWS {
-            problems.push(
-                format(format!("has more than {MAX_ROWS} entries"))
-                    .at_line(line)
-                    .hint("split the library"),
-            );
+            let message = format!("has more than {MAX_ROWS} entries");
+            problems.push(bad_file(message, "split the library").at_line(line));
             break;
         }
         rows.push(Row {
@@ -186,13 +176,12 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
     }))
 }
 
+fn line(position: &csv::Position) -> usize {
+    usize::try_from(position.line()).unwrap_or(usize::MAX)
+}
+
 fn csv_problem(error: &csv::Error) -> Problem {
-    let line = error.position().map_or(1, |position| {
-        usize::try_from(position.line()).unwrap_or(usize::MAX)
-    });
-    Problem::new(ProblemKind::Format, format!("is not CSV: {error}"))
-        .at_line(line)
-        .hint("save the table as CSV (UTF-8)")
+    bad_file(format!("is not CSV: {error}"), SAVE_AS).at_line(error.position().map_or(1, line))
 }
 
 fn names(columns: &[Column]) -> Vec<&'static str> {
@@ -213,12 +202,9 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
     let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) =
         Default::default();
     let names = names(columns);
-    let mut note = |message: String, hint: String| {
-        problems.push(
-            Problem::new(ProblemKind::Format, message)
-                .at_line(1)
-                .hint(hint),
-        );
+    let mut note = |column: &Column, what: &str, hint: String| {
+        let message = format!("column {}{what}", column.name);
+        problems.push(bad_file(message, hint).at_line(1));
     };
     for (at, text) in header.iter().enumerate() {
         let (name, unit) = split_header(text);
@@ -234,10 +220,7 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
             continue;
         };
         if places.iter().any(|(known, ..)| *known == column.name) {
-            note(
-                format!("column {} occurs twice", column.name),
-                "keep one of them".to_owned(),
-            );
+            note(column, " occurs twice", "keep one of them".to_owned());
             continue;
         }
         match (column.dimension, unit) {
@@ -248,31 +231,27 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
                     "give it in the header, such as \"{} [{symbol}]\"",
                     column.name
                 );
-                note(format!("column {} has no unit", column.name), hint);
+                note(column, " has no unit", hint);
             }
             (None | Some(Dimension::Ratio), Some(_)) => {
                 note(
-                    format!("column {} must not have a unit", column.name),
+                    column,
+                    " must not have a unit",
                     "remove the unit".to_owned(),
                 );
             }
             (Some(dimension), Some(unit)) => match find_unit(&unit, dimension) {
                 Ok(unit) => places.push((column.name, at, Some(unit))),
                 Err(problem) => {
-                    note(
-                        format!("column {}: {}", column.name, problem.message),
-                        problem.hint.unwrap_or_default(),
-                    );
+                    let hint = problem.hint.unwrap_or_default();
+                    note(column, &format!(": {}", problem.message), hint);
                 }
             },
         }
     }
     for column in columns.iter().filter(|column| column.needed) {
         if !places.iter().any(|(known, ..)| *known == column.name) {
-            note(
-                format!("column {} is missing", column.name),
-                header_hint(columns),
-            );
+            note(column, " is missing", header_hint(columns));
         }
     }
     (places, problems, warnings)
@@ -280,15 +259,10 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
 
 /// The name and the unit of a header: `Edge lift [mm]` → `edge_lift` and `mm`.
 fn split_header(text: &str) -> (String, Option<String>) {
-    let (name, unit) = match text.split_once(['[', '(']) {
-        Some((name, unit)) => (
-            name,
-            Some(unit.trim_end_matches([']', ')']).trim().to_owned()),
-        ),
-        None => (text, None),
-    };
+    let (name, unit) = text.split_once(['[', '(']).unwrap_or((text, ""));
+    let unit = unit.trim_end_matches([']', ')']).trim();
     (
         name.trim().to_lowercase().replace([' ', '-'], "_"),
-        unit.filter(|unit| !unit.is_empty()),
+        (!unit.is_empty()).then(|| unit.to_owned()),
     )
 }

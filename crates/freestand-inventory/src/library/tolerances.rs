@@ -4,6 +4,7 @@ use freestand::G0_M_S2;
 use freestand::shock_response::{Pulse, PulseShape};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
+use strum::{IntoStaticStr, VariantArray};
 
 use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, format_si};
@@ -17,10 +18,10 @@ use super::{Confidence, Tolerance};
 
 /// The columns of a tolerance library; numbers have their unit in brackets, such as `peak [g]`.
 const TOLERANCE_COLUMNS: [Column; 23] = [
-    Column::needed("id"),
-    Column::needed("class"),
-    Column::needed("kind"),
-    Column::needed("state"),
+    Column::text("id").needed(),
+    Column::text("class").needed(),
+    Column::text("kind").needed(),
+    Column::text("state").needed(),
     Column::text("axis"),
     Column::number("peak", Dimension::Acceleration),
     Column::number("peak_high", Dimension::Acceleration),
@@ -32,13 +33,13 @@ const TOLERANCE_COLUMNS: [Column; 23] = [
     Column::number("pfv_median", Dimension::Velocity),
     Column::number("beta", Dimension::Ratio),
     Column::text("n_shocks"),
-    Column::needed("source"),
+    Column::text("source").needed(),
     Column::text("edition"),
     Column::text("clause"),
     Column::text("page"),
     Column::text("licence"),
     Column::text("notice"),
-    Column::needed("confidence"),
+    Column::text("confidence").needed(),
     Column::text("note"),
 ];
 
@@ -83,7 +84,7 @@ impl ToleranceLibrary {
 }
 
 /// What the numbers of an entry are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum Kind {
@@ -98,18 +99,8 @@ pub enum Kind {
     Fragility,
 }
 
-impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 4] = [
-        Self::VendorLimit,
-        Self::TestSeverity,
-        Self::Class,
-        Self::Fragility,
-    ];
-}
-
 /// The state of the object to which the tolerance applies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema, IntoStaticStr, VariantArray)]
 #[strum(serialize_all = "kebab-case")]
 #[serde(rename_all = "kebab-case")]
 pub enum State {
@@ -121,16 +112,6 @@ pub enum State {
     Packaged,
     /// The source does not state it, or leaves it to the product.
     Any,
-}
-
-impl State {
-    /// All states.
-    pub const ALL: [Self; 4] = [
-        Self::Operating,
-        Self::NonOperating,
-        Self::Packaged,
-        Self::Any,
-    ];
 }
 
 /// An entry of the tolerance library; `None` where its source gives no value. The keys are those of
@@ -205,8 +186,8 @@ impl ToleranceEntry {
         let mut reader = RowReader::new(table, row);
         let id = reader.id();
         let class = reader.needed("class");
-        let kind = reader.word("kind", &Kind::ALL.map(|kind| (kind.into(), kind)));
-        let state = reader.word("state", &State::ALL.map(|state| (state.into(), state)));
+        let kind = reader.word("kind", Kind::VARIANTS);
+        let state = reader.word("state", State::VARIANTS);
         let peak_m_s2 = reader.positive("peak", Dimension::Acceleration);
         let peak_high_m_s2 = reader.positive("peak_high", Dimension::Acceleration);
         let duration_s = reader.positive("duration", Dimension::Time);
@@ -260,33 +241,28 @@ impl ToleranceEntry {
 
     /// Reports numbers that contradict each other.
     fn check(&self, reader: &mut RowReader<'_>) {
-        let medians = [self.pfa_median_m_s2, self.pfv_median_m_s]
-            .iter()
-            .flatten()
-            .count();
-        let limits = [self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m]
-            .iter()
-            .flatten()
-            .count();
+        let count = |values: &[Option<f64>]| values.iter().flatten().count();
+        let medians = count(&[self.pfa_median_m_s2, self.pfv_median_m_s]);
+        let limits = count(&[self.peak_m_s2, self.velocity_change_m_s, self.edge_lift_m]);
+        let mut note = |column, message, hint| reader.note(column, message, hint);
         if self.kind == Kind::Fragility {
             if medians != 1 || self.beta.is_none() || limits > 0 {
-                let hint = "give pfa_median or pfv_median, with beta, and no peak, velocity_change or edge_lift";
-                reader.note(
+                note(
                     "kind",
                     "a fragility has one median and its dispersion",
-                    hint,
+                    "give pfa_median or pfv_median, with beta, and no peak, velocity_change or edge_lift",
                 );
             }
         } else {
             if medians > 0 || self.beta.is_some() {
-                reader.note(
+                note(
                     "kind",
                     "medians and beta belong to a fragility",
                     "use the kind fragility, or leave them empty",
                 );
             }
             if limits == 0 {
-                reader.note(
+                note(
                     "peak",
                     "the entry has no tolerance",
                     "give peak, velocity_change or edge_lift",
@@ -294,7 +270,7 @@ impl ToleranceEntry {
             }
         }
         if self.duration_s.is_some() && self.peak_m_s2.is_none() {
-            reader.note(
+            note(
                 "duration",
                 "a duration needs a peak",
                 "give the peak of the pulse",
@@ -304,7 +280,7 @@ impl ToleranceEntry {
             .peak_high_m_s2
             .is_some_and(|high| self.peak_m_s2.is_none_or(|low| high < low))
         {
-            reader.note(
+            note(
                 "peak_high",
                 "a range goes from peak to peak_high",
                 "give the low end in peak",
@@ -314,40 +290,26 @@ impl ToleranceEntry {
 
     /// Its numbers in words: `5 g, 11 ms half-sine`, `median PFV 0.29 m/s, β 0.5`.
     pub fn words(&self) -> String {
-        let range = |low: f64, high: Option<f64>, dimension| match high {
-            Some(high) => {
-                let (low, high) = (format_si(low, dimension), format_si(high, dimension));
-                format!("{}–{high}", low.split(' ').next().unwrap_or(&low))
-            }
-            None => format_si(low, dimension),
-        };
         let mut parts = Vec::new();
         if let Some(peak) = self.peak_m_s2 {
-            parts.push(range(peak, self.peak_high_m_s2, Dimension::Acceleration));
+            let words = match self.peak_high_m_s2 {
+                Some(high) => range_words(peak, high, Dimension::Acceleration),
+                None => format_si(peak, Dimension::Acceleration),
+            };
+            parts.push(words);
         }
         if let (Some(duration), Some(shape)) = (self.duration_s, self.shape) {
-            parts.push(format!(
-                "{} {}",
-                format_si(duration, Dimension::Time),
-                name_of(SHAPES, shape)
-            ));
+            let duration = format_si(duration, Dimension::Time);
+            parts.push(format!("{duration} {}", name_of(SHAPES, shape)));
         }
-        parts.extend(
-            self.velocity_change_m_s
-                .map(|v| format!("Δv {}", format_si(v, Dimension::Velocity))),
-        );
-        parts.extend(
-            self.edge_lift_m
-                .map(|lift| format!("uplift {}", format_si(lift, Dimension::Length))),
-        );
-        parts.extend(
-            self.pfa_median_m_s2
-                .map(|a| format!("median PFA {}", format_si(a, Dimension::Acceleration))),
-        );
-        parts.extend(
-            self.pfv_median_m_s
-                .map(|v| format!("median PFV {}", format_si(v, Dimension::Velocity))),
-        );
+        for (name, value, dimension) in [
+            ("Δv", self.velocity_change_m_s, Dimension::Velocity),
+            ("uplift", self.edge_lift_m, Dimension::Length),
+            ("median PFA", self.pfa_median_m_s2, Dimension::Acceleration),
+            ("median PFV", self.pfv_median_m_s, Dimension::Velocity),
+        ] {
+            parts.extend(value.map(|value| format!("{name} {}", format_si(value, dimension))));
+        }
         parts.extend(self.beta.map(|beta| format!("β {}", number(beta, 3))));
         parts.join(", ")
     }
@@ -356,6 +318,12 @@ impl ToleranceEntry {
     pub fn source_words(&self) -> String {
         source_words(&self.source, &self.edition, &self.clause, &self.page)
     }
+}
+
+/// `803–3196 N/mm`.
+pub(super) fn range_words(low: f64, high: f64, dimension: Dimension) -> String {
+    let (low, high) = (format_si(low, dimension), format_si(high, dimension));
+    format!("{}–{high}", low.split(' ').next().unwrap_or(&low))
 }
 
 /// `document, edition, clause, p. 7`, without empty parts.
@@ -395,10 +363,9 @@ fn shape(reader: &mut RowReader<'_>, duration_s: Option<f64>) -> Option<PulseSha
             reader.note("shape", "a shape needs a duration", hint);
             None
         }
-        (false, Some(_)) => reader.word(
-            "shape",
-            &PulseShape::ALL.map(|shape| (name_of(SHAPES, shape), shape)),
-        ),
+        (false, Some(_)) => {
+            reader.one_of("shape", &PulseShape::ALL, |shape| name_of(SHAPES, shape))
+        }
     }
 }
 
