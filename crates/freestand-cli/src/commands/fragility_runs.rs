@@ -110,9 +110,9 @@ fn write_runs(
         files.figure("fragility", || first.figure())?;
     }
     go_on()?;
-    files.figure("ida", || ida_figure(&report))?;
+    files.figure("ida", || ida_figure(report))?;
     go_on()?;
-    files.figure("measures", || measures_figure(&report))?;
-    files.figure("residuals", || residuals_figure(&report))?;
+    files.figure("measures", || measures_figure(report))?;
+    files.figure("residuals", || residuals_figure(report))?;
     go_on()
 }
