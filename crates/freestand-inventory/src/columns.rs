@@ -169,7 +169,7 @@ columns! {
 
 impl Column {
     /// Its specification.
-    pub fn spec(self) -> &'static ColumnSpec {
+    pub(super) fn spec(self) -> &'static ColumnSpec {
         // The table is in the order of the enum; a test checks that.
         &COLUMNS[self as usize]
     }

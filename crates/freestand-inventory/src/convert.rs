@@ -6,7 +6,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 
 use super::cell::{Cell, Row};
-use super::columns::{COLUMNS, Holds, letters};
+use super::columns::{Holds, letters};
 use super::encoding::is_unprintable;
 use super::headings::{HeadingUnit, meaning};
 use super::layout::{Body, body, unevaluated};
@@ -68,16 +68,23 @@ pub fn convert_bytes(
     warnings.extend(source.formulas.warning());
     let (headings, body) = headings(&source);
     // A total that was not calculated is no object.
-    let is_left_out = |row: &Row| body.leaves_out(row);
-    warnings.extend(unevaluated(&source.rows, &is_left_out));
-    let kinds: Vec<Kind> = headings.iter().map(|text| kind(text)).collect();
+    warnings.extend(unevaluated(&source.rows, &|row| body.leaves_out(row)));
+    let are_words: Vec<bool> = headings.iter().map(|text| holds_words(text)).collect();
     let below = source
         .rows
         .iter()
         .filter(|row| row.number > source.header.last_row);
     let mut problems = Problems::default();
     let rows = below
-        .map(|row| written(row, &kinds, &headings, is_left_out(row), &mut problems))
+        .map(|row| {
+            written(
+                row,
+                &are_words,
+                &headings,
+                body.leaves_out(row),
+                &mut problems,
+            )
+        })
         .collect();
     let mut table = Table { headings, rows };
     problems
@@ -116,7 +123,7 @@ fn headings(source: &Sheet) -> (Vec<String>, Body) {
     let understood = understand(&evidence);
     let width = header.headings.keys().last().map_or(0, |last| last + 1);
     let one = |index: u32| {
-        let text = header.headings.get(&index).cloned().unwrap_or_default();
+        let text = header.heading(index);
         let is_bare = meaning(&text).is_some_and(|found| found.unit == HeadingUnit::None);
         let found = understood.uses.iter().find(|one| one.index == index);
         match found.and_then(|one| one.unit.filter(|_| is_bare && one.is_unit_stated_outside())) {
@@ -128,25 +135,14 @@ fn headings(source: &Sheet) -> (Vec<String>, Body) {
     (headings, body)
 }
 
-/// How the cells of a column are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    /// A column of words, which stay words in a workbook.
-    Words,
-    /// Any other.
-    Numbers,
-}
-
-fn kind(text: &str) -> Kind {
-    let holds = meaning(text)
-        .and_then(|found| COLUMNS.get(found.column as usize))
-        .map(|spec| spec.holds);
-    match holds {
-        Some(Holds::Text | Holds::Rating | Holds::Answer | Holds::Casters | Holds::Sizes) => {
-            Kind::Words
-        }
-        _ => Kind::Numbers,
-    }
+/// Whether a column holds words, which stay words in a workbook.
+fn holds_words(heading: &str) -> bool {
+    meaning(heading).is_some_and(|found| {
+        matches!(
+            found.column.spec().holds,
+            Holds::Text | Holds::Rating | Holds::Answer | Holds::Casters | Holds::Sizes
+        )
+    })
 }
 
 /// Largest number of cells that cannot be written that are listed.
@@ -154,7 +150,7 @@ const MAX_PROBLEMS: usize = 20;
 
 fn written(
     row: &Row,
-    kinds: &[Kind],
+    are_words: &[bool],
     headings: &[String],
     is_left_out: bool,
     problems: &mut Problems,
@@ -179,7 +175,7 @@ fn written(
     };
     for (column, cell) in &row.cells {
         let index = *column as usize;
-        let kind = kinds.get(index).copied().unwrap_or(Kind::Numbers);
+        let is_word = are_words.get(index).copied().unwrap_or(false);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
             Cell::Text(text) if text.chars().any(is_unprintable) => refused(
@@ -190,7 +186,7 @@ fn written(
             // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");
-                Written::of(&text, kind != Kind::Words)
+                Written::of(&text, !is_word)
             }
             Cell::TooLong(chars) => {
                 let what =
@@ -205,9 +201,7 @@ fn written(
             ),
             other => Written::of(&other.shown(), false),
         };
-        if let Some(slot) = cells.get_mut(index) {
-            *slot = one;
-        }
+        cells[index] = one;
     }
     cells
 }

@@ -73,11 +73,8 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts,
         .iter()
         .enumerate()
         .filter_map(|(slot, heading)| {
-            Some((
-                slot,
-                heading.as_str(),
-                cost_heading(heading, mapping.as_ref())?,
-            ))
+            let cost = cost_heading(heading, mapping.as_ref())?;
+            Some((slot, heading.as_str(), cost))
         })
         .collect();
     let mut currency: Option<String> = None;
@@ -101,20 +98,13 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts,
     in_one_currency(&inventory.items, &columns, currency.as_deref())
         .map_err(|problem| problem.in_file(path))?;
     let is_ignored = |heading: &&String| {
-        mapping
-            .as_ref()
-            .is_some_and(|mapping| mapping.ignores(heading))
+        let mapping = mapping.as_ref();
+        mapping.is_some_and(|mapping| mapping.ignores(heading))
+            && CostHeading::of(heading).is_some()
     };
-    let ignored = inventory
-        .carried
-        .iter()
-        .filter(is_ignored)
-        .filter(|heading| CostHeading::of(heading).is_some());
-    let ignored = ignored.map(|heading| {
-        format!(
-            "the column \"{}\" is not counted, because the mapping file says \"ignore\"",
-            shorten(heading)
-        )
+    let ignored = inventory.carried.iter().filter(is_ignored).map(|heading| {
+        let heading = shorten(heading);
+        format!("the column \"{heading}\" is not counted, because the mapping file says \"ignore\"")
     });
     let mut warnings: Vec<String> = ignored.collect();
     // A number of objects that cannot be read counts as one.

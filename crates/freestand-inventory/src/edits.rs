@@ -56,22 +56,15 @@ impl Sheet {
                 return Err(refused("its column has no heading"));
             }
             let row = self.rows.binary_search_by_key(&edit.row, |row| row.number);
-            let row = row
-                .ok()
-                .and_then(|at| self.rows.get_mut(at))
-                .ok_or_else(|| refused("its row is empty"))?;
+            let row = row.map_err(|_| refused("its row is empty"))?;
+            let row = &mut self.rows[row];
             let cell = Cell::text(edit.text.clone());
             match row
                 .cells
                 .binary_search_by_key(&edit.column, |(column, _)| *column)
             {
                 Ok(at) if edit.text.is_empty() => _ = row.cells.remove(at),
-                Ok(at) => row
-                    .cells
-                    .iter_mut()
-                    .skip(at)
-                    .take(1)
-                    .for_each(|slot| slot.1 = cell.clone()),
+                Ok(at) => row.cells[at].1 = cell,
                 Err(_) if edit.text.is_empty() => {}
                 Err(at) => row.cells.insert(at, (edit.column, cell)),
             }
@@ -96,15 +89,13 @@ pub(super) fn answer(finding: &Finding, sheet: &Sheet, columns: &Understood) -> 
         .max()?;
     let known = columns.get(column).map(|one| one.index);
     let place = letters(known.unwrap_or(next) as usize);
-    let heading = format!(
-        "`edit = \"{place}{}={}\"` ",
-        sheet.header.row,
-        column.name()
-    );
-    let heading = if known.is_some() {
-        ""
-    } else {
-        heading.as_str()
+    let heading = match known {
+        Some(_) => String::new(),
+        None => format!(
+            "`edit = \"{place}{}={}\"` ",
+            sheet.header.row,
+            column.name()
+        ),
     };
     let otherwise = if finding.kind == Kind::Casters {
         "; if it has none, correct this cell"

@@ -164,27 +164,19 @@ pub(super) fn confirm(
 /// Why a size is not believed, behind "was read as".
 fn why(value_m: f64, column: Column, item: &Item, usual: Option<&Usual>) -> Option<String> {
     let range = range(column);
-    let read = || format!("{} m", number(value_m, 4));
+    let said = |what: String| Some(format!("{} m, {what}", number(value_m, 4)));
     if !range.contains(&value_m) {
-        return Some(format!(
-            "{}, and such a size is between {} and {} m",
-            read(),
-            range.start(),
-            range.end()
-        ));
+        let (low, high) = (range.start(), range.end());
+        return said(format!("and such a size is between {low} and {high} m"));
     }
     if let Some(usual) = usual {
         let far = (value_m / usual.median_m).ln().abs();
         if far >= TEN_TIMES.ln() && far > SPREAD * usual.deviation {
             let times = number(far.exp(), 2);
-            let than = if value_m < usual.median_m {
-                "smaller"
-            } else {
-                "larger"
-            };
-            return Some(format!(
-                "{}, {times} times {than} than the median of its column",
-                read()
+            let is_smaller = value_m < usual.median_m;
+            let than = if is_smaller { "smaller" } else { "larger" };
+            return said(format!(
+                "{times} times {than} than the median of its column"
             ));
         }
     }
@@ -194,21 +186,12 @@ fn why(value_m: f64, column: Column, item: &Item, usual: Option<&Usual>) -> Opti
         .map_or(thickness_m, |width_m| width_m.min(thickness_m));
     if height_m > MAX_SLENDERNESS * shorter_m {
         let times = number(height_m / shorter_m, 3);
-        return Some(format!(
-            "{}, and the height is {times} times the shorter side",
-            read()
-        ));
+        return said(format!("and the height is {times} times the shorter side"));
     }
-    let density = item
-        .mass_kg
-        .zip(item.width_m)
-        .map(|(mass_kg, width_m)| mass_kg / (height_m * thickness_m * width_m));
-    let density = density.filter(|density| !DENSITY.contains(density))?;
-    Some(format!(
-        "{}, and the object would weigh {} kg/m³",
-        read(),
-        number(density, 2)
-    ))
+    let density = item.mass_kg? / (height_m * thickness_m * item.width_m?);
+    let is_possible = DENSITY.contains(&density);
+    let density = number(density, 2);
+    said(format!("and the object would weigh {density} kg/m³")).filter(|_| !is_possible)
 }
 
 /// Whether an object can have such a size.

@@ -72,11 +72,11 @@ pub(super) mod questions {
         asked: &Option<Questions>,
         to: S,
     ) -> Result<S::Ok, S::Error> {
-        let name = |asked: Questions| {
+        let name = |asked| {
             Questions::ALL
                 .iter()
-                .find(|(_, one)| *one == asked)
-                .map(|(name, _)| *name)
+                .find(|one| one.1 == asked)
+                .map(|one| one.0)
         };
         asked.and_then(name).serialize(to)
     }
@@ -89,8 +89,8 @@ pub(super) mod questions {
         };
         let found = Questions::ALL
             .iter()
-            .find(|(known, _)| *known == name)
-            .map(|(_, one)| *one);
+            .find(|one| one.0 == name)
+            .map(|one| one.1);
         found
             .map(Some)
             .ok_or_else(|| D::Error::custom("an unknown question"))

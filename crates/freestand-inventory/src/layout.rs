@@ -323,6 +323,14 @@ pub(super) struct Body {
 }
 
 impl Body {
+    fn leave_out(&mut self, row: &Row, kind: RowKind) {
+        self.left_out.push(LeftOut {
+            row: row.number,
+            kind,
+            text: text_of(row),
+        });
+    }
+
     /// The rows of the objects.
     pub(super) fn rows<'r>(&self, rows: &'r [Row]) -> impl Iterator<Item = &'r Row> {
         let objects = self.objects.iter();
@@ -387,11 +395,7 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
     if header.has_unit_row
         && let Some(row) = rows.iter().find(|row| row.number == header.last_row)
     {
-        body.left_out.push(LeftOut {
-            row: row.number,
-            kind: RowKind::Units,
-            text: text_of(row),
-        });
+        body.leave_out(row, RowKind::Units);
     }
     // Whether there are objects below is known from the end.
     let first = rows.partition_point(|row| row.number <= header.last_row);
@@ -429,27 +433,21 @@ pub(super) fn body(rows: &[Row], header: &Header) -> (Body, Option<usize>) {
         match kind {
             RowKind::Units => {
                 let units = unit_row(row, &header.meanings).unwrap_or_default();
-                body.units.extend(
-                    units
-                        .into_iter()
-                        .map(|(column, unit)| (row.number, column, unit)),
-                );
+                let units = units.into_iter();
+                body.units
+                    .extend(units.map(|(column, unit)| (row.number, column, unit)));
             }
             // The headings again may state other units.
             RowKind::Header => {
-                for (column, found) in meanings_of(row) {
-                    if let HeadingUnit::Stated(unit) = found.unit {
-                        body.units.push((row.number, column, unit));
-                    }
-                }
+                let stated = |(column, found): (u32, Meaning)| {
+                    Some((row.number, column, found.unit.stated()?))
+                };
+                body.units
+                    .extend(meanings_of(row).into_iter().filter_map(stated));
             }
             _ => {}
         }
-        body.left_out.push(LeftOut {
-            row: row.number,
-            kind,
-            text: text_of(row),
-        });
+        body.leave_out(row, kind);
     }
     body.left_out.sort_by_key(|left| left.row);
     (body, other)
@@ -538,16 +536,11 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
     let here = meanings_of(row);
     // The same headings in another order are those of another table.
     let is_moved = |(index, found): (&u32, &Meaning)| {
-        let is_same_text = header
-            .headings
-            .get(index)
-            .zip(row.get(*index))
-            .is_some_and(|(heading, cell)| canonical(heading) == canonical(&cell.shown()));
-        !is_same_text
-            && header
-                .meanings
-                .get(index)
-                .is_none_or(|known| known.column != found.column)
+        let heading = header.headings.get(index);
+        let is_same_text =
+            heading.is_some_and(|heading| canonical(heading) == canonical(&row.shown(*index)));
+        let known = header.meanings.get(index);
+        !is_same_text && known.is_none_or(|known| known.column != found.column)
     };
     let is_another = score(&here) > 0 && here.iter().any(is_moved);
     if same >= 2 && same > other {
@@ -557,12 +550,8 @@ fn header_again(row: &Row, header: &Header) -> Option<Sort> {
             Sort::Left(RowKind::Header)
         });
     }
-    let knows_all = here.values().all(|found| {
-        header
-            .meanings
-            .values()
-            .any(|known| known.column == found.column)
-    });
+    let known = distinct(&header.meanings);
+    let knows_all = here.values().all(|found| known.contains(&found.column));
     let enough = if knows_all { MIN_HEADINGS } else { 4 };
     let is_other = score(&here) >= enough && here.len() > other / 2;
     is_other.then_some(Sort::Other)

@@ -79,7 +79,6 @@ pub use layout::{LeftOut, RowKind};
 pub use mapping::Mapping;
 pub use marked::marked_copy;
 pub use named::level_of_floor;
-pub use numbers::Decimal;
 pub use problems::{Finding, Kind, Severity, console_lines};
 pub use read::{
     CellsRead, ReadOptions, Reading, inspect_headings, inspect_inventory, mapping_of_headings,

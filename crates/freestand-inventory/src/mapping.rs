@@ -192,10 +192,8 @@ impl Mapping {
     /// What the file says about a heading.
     pub(super) fn column(&self, heading: &str) -> Option<Mapped> {
         let words = canonical(heading);
-        self.columns
-            .iter()
-            .find(|(other, _)| *other == words)
-            .map(|(_, mapped)| *mapped)
+        let mut columns = self.columns.iter();
+        columns.find(|one| one.0 == words).map(|one| one.1)
     }
 
     /// Whether a heading is named as one that is not read.
@@ -208,27 +206,23 @@ impl Mapping {
     /// The column of costs that the file makes of a heading, and its currency.
     fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
         let words = canonical(heading);
-        self.costs
-            .iter()
-            .find(|(other, ..)| *other == words)
-            .map(|(_, name, unit)| (*name, unit.clone()))
+        let cost = self.costs.iter().find(|one| one.0 == words)?;
+        Some((cost.1, cost.2.clone()))
     }
 
     /// The unit of a column by its name.
     pub(super) fn unit(&self, column: Column) -> Option<CellUnit> {
-        self.units
-            .iter()
-            .find(|(other, _)| *other == column)
-            .map(|(_, unit)| *unit)
+        let mut units = self.units.iter();
+        units.find(|one| one.0 == column).map(|one| one.1)
     }
 
     /// Headings that the file names and the list does not have.
-    pub(super) fn unused(&self, headings: impl Iterator<Item = String> + Clone) -> Vec<String> {
-        let has = |words: &str| headings.clone().any(|heading| canonical(&heading) == words);
-        self.columns
-            .iter()
-            .filter(|(words, _)| !has(words))
-            .map(|(words, _)| words.clone())
+    pub(super) fn unused(&self, headings: impl Iterator<Item = String>) -> Vec<String> {
+        let known: Vec<String> = headings.map(|heading| canonical(&heading)).collect();
+        let named = self.columns.iter().map(|(words, _)| words);
+        named
+            .filter(|words| !known.contains(words))
+            .cloned()
             .collect()
     }
 
@@ -244,16 +238,13 @@ impl Mapping {
             let ratio = match floor {
                 MappedFloor::Ratio(ratio) => *ratio,
                 MappedFloor::Elevation(elevation) => {
-                    let Some(height) = all.height_m.filter(|height| *height > 0.0) else {
-                        let message = format!(
-                            "the elevation of \"{}\" needs the height of the building",
-                            shorten(name)
-                        );
-                        return Err(Problem::value(
-                            message,
+                    let height = all.height_m.filter(|height| *height > 0.0).ok_or_else(|| {
+                        let name = shorten(name);
+                        Problem::value(
+                            format!("the elevation of \"{name}\" needs the height of the building"),
                             "give a study with the building, or a share of the height such as 0.75",
-                        ));
-                    };
+                        )
+                    })?;
                     (elevation / height).clamp(0.0, 1.0)
                 }
                 MappedFloor::As(other) => match finder.find(other) {

@@ -11,7 +11,7 @@ use super::columns::Column;
 /// A decimal sign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
-pub enum Decimal {
+pub(super) enum Decimal {
     /// `85.5`
     Point,
     /// `85,5`
@@ -20,7 +20,7 @@ pub enum Decimal {
 
 impl Decimal {
     /// Its name in outputs.
-    pub fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         self.into()
     }
 

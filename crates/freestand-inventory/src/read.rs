@@ -292,7 +292,7 @@ impl<'a> List<'a> {
     }
 
     /// The headings of all tables, with their columns.
-    fn headings(&self) -> impl Iterator<Item = (&u32, &String)> + Clone {
+    fn headings(&self) -> impl Iterator<Item = (&u32, &String)> {
         let parts = self.parts.iter();
         parts.flat_map(|part| &part.table.header.headings)
     }

@@ -27,7 +27,6 @@ pub(super) fn roles(evidence: &Evidence<'_>) -> Understood {
         header, mapping, ..
     } = evidence;
     let mut candidates = Candidates::new();
-    let mut carried: Vec<(u32, String)> = Vec::new();
     for (index, heading) in &header.headings {
         let found = header.meanings.get(index);
         let one = match mapping.and_then(|mapping| mapping.column(heading)) {
@@ -43,22 +42,21 @@ pub(super) fn roles(evidence: &Evidence<'_>) -> Understood {
             }),
             None => found.cloned(),
         };
-        match one {
-            Some(one) => _ = candidates.insert(*index, one),
-            None => carried.push((*index, heading.clone())),
-        }
+        candidates.extend(one.map(|one| (*index, one)));
     }
-    let mut warnings = Vec::new();
-    by_content(&mut candidates, evidence, &mut carried);
-    sides(&mut candidates, header, &mut carried, &mut warnings);
+    by_content(&mut candidates, evidence);
+    let warnings = sides(&mut candidates, header);
     let spoken = |language| {
         let all = candidates.values();
         all.filter(|one| one.language == language).count()
     };
     let is_japanese =
         spoken(Language::EastAsian) > spoken(Language::English) + spoken(Language::Comma);
-    second_texts(&mut candidates, header, &mut carried);
-    carried.sort_by_key(|(index, _)| *index);
+    second_texts(&mut candidates);
+    let carried = header.headings.clone().into_iter();
+    let carried = carried
+        .filter(|(index, _)| !candidates.contains_key(index))
+        .collect();
     let mut uses = Vec::with_capacity(candidates.len());
     let mut firsts: Vec<Vec<(u16, usize)>> = vec![Vec::new(); COLUMNS.len()];
     for (slot, (index, one)) in candidates.into_iter().enumerate() {
@@ -134,188 +132,140 @@ fn row_units(uses: &mut [Use], evidence: &Evidence<'_>) {
             };
             evidence.cells(*column).filter_map(unit).collect()
         };
-        let all: Vec<(u32, Vec<(u32, CellUnit)>)> =
-            columns.iter().map(|column| (*column, of(column))).collect();
-        let mut stating = all.into_iter().filter(|(_, units)| !units.is_empty());
-        let mut last = None;
-        let next = stating.find_map(|(column, units)| {
-            if column > one.index {
-                return Some(units);
-            }
-            last = Some(units);
-            None
-        });
-        one.row_units = next.or(last).unwrap_or_default();
+        let stating: Vec<(u32, Vec<(u32, CellUnit)>)> = columns
+            .iter()
+            .map(|column| (*column, of(column)))
+            .filter(|(_, units)| !units.is_empty())
+            .collect();
+        let next = stating.iter().find(|(column, _)| *column > one.index);
+        let own = next.or(stating.last());
+        one.row_units = own.map(|(_, units)| units.clone()).unwrap_or_default();
     }
 }
 
 /// Of two columns with one name the better heading is read. The other is carried through where it
 /// holds texts or ratios; a second quantity is compared with the first.
-fn second_texts(candidates: &mut Candidates, header: &Header, carried: &mut Vec<(u32, String)>) {
-    let mut seen: Vec<(Column, u16, u32)> = candidates
+fn second_texts(candidates: &mut Candidates) {
+    let mut seen: Vec<(usize, u16, u32)> = candidates
         .iter()
-        .map(|(&index, one)| (one.column, one.rank, index))
+        .map(|(&index, one)| (one.column as usize, one.rank, index))
         .collect();
-    seen.sort_unstable_by_key(|&(column, rank, index)| (column as usize, rank, index));
+    seen.sort_unstable();
+    let is_compared = |column: Column| {
+        column == Column::Unit || dimension(column).is_some_and(|of| of != Dimension::Ratio)
+    };
     for pair in seen.windows(2) {
-        let [(first, ..), (column, _, index)] = *pair else {
-            continue;
-        };
-        let is_unit = column == Column::Unit;
-        if first == column
-            && !is_unit
-            && dimension(column).is_none_or(|dimension| dimension == Dimension::Ratio)
+        if let [(first, ..), (column, _, index)] = pair
+            && first == column
+            && !is_compared(COLUMNS[*column].column)
         {
-            candidates.remove(&index);
-            carry(index, header, carried);
+            candidates.remove(index);
         }
     }
-}
-
-/// Carries a column through.
-fn carry(index: u32, header: &Header, carried: &mut Vec<(u32, String)>) {
-    carried.push((index, header.heading(index)));
 }
 
 /// Corrects what a heading alone cannot say: an "Item" of running numbers is an id, a column of
 /// ratings without ratings is another one.
-fn by_content(
-    candidates: &mut Candidates,
-    evidence: &Evidence<'_>,
-    carried: &mut Vec<(u32, String)>,
-) {
-    let sample = |index: u32| -> Vec<String> {
-        let texts = evidence
-            .cells(index)
-            .map(|(_, cell)| cell.shown().trim().to_owned());
-        texts.filter(|text| !is_missing(text)).take(200).collect()
+fn by_content(candidates: &mut Candidates, evidence: &Evidence<'_>) {
+    let count = |column| {
+        let all = candidates.values();
+        all.filter(|one| one.column == column).count()
     };
-    let is_number =
-        |text: &String| text.chars().all(|c| c.is_ascii_digit() || c == '.') && !text.is_empty();
-    let items: Vec<u32> = candidates
-        .iter()
-        .filter(|(_, one)| one.column == Column::Item)
-        .map(|(index, _)| *index)
-        .collect();
-    let has_id = candidates.values().any(|one| one.column == Column::Id);
-    if items.len() > 1 {
-        for index in items {
-            let texts = sample(index);
-            if !texts.is_empty()
-                && texts.iter().all(is_number)
-                && let Some(one) = candidates.get_mut(&index)
-            {
+    let (ids, items) = (count(Column::Id), count(Column::Item));
+    let is_number = |text: &str| text.chars().all(|c| c.is_ascii_digit() || c == '.');
+    let mm = find("mm", Dimension::Length).ok();
+    let is_size = |text: &str| sizes(&plain(text), mm, None, Choice::Decimal).is_ok();
+    let is_unit = |text: &str| {
+        let mut measures = [Dimension::Length, Dimension::Mass].into_iter();
+        measures.any(|dimension| cell_unit(text, dimension).is_some())
+    };
+    candidates.retain(|index, one| {
+        let measure = dimension(one.column);
+        let may_be_units = matches!(measure, Some(Dimension::Length | Dimension::Mass))
+            || one.column == Column::Quantity;
+        let is_rating = one.column.spec().holds == Holds::Rating;
+        let is_word = matches!(one.column, Column::Item | Column::Unit);
+        if !(may_be_units || is_rating || is_word) {
+            return true;
+        }
+        let texts = sample(*index, evidence);
+        let count = |is: &dyn Fn(&str) -> bool| texts.iter().filter(|text| is(text)).count();
+        match (one.column, texts.len()) {
+            // "Unit" may be a ward or "each".
+            (Column::Unit, all) => return all > 0 && 2 * count(&is_unit) >= all,
+            (_, 0) => return true,
+            (Column::Item, all) if items > 1 && count(&is_number) == all => {
                 one.column = Column::Id;
-                one.rank = if has_id { 95 } else { 1 };
+                one.rank = if ids > 0 { 95 } else { 1 };
             }
+            // "Masse" of a Swiss list may be sizes.
+            (Column::Mass, all) if 2 * count(&is_size) > all => one.column = Column::Dimensions,
+            _ => {}
         }
-    }
-    // "Masse" of a Swiss list may be sizes.
-    for (index, one) in candidates
-        .iter_mut()
-        .filter(|(_, one)| one.column == Column::Mass)
-    {
-        let texts = sample(*index);
-        let mm = find("mm", Dimension::Length).ok();
-        let is_size = |text: &&String| sizes(&plain(text), mm, None, Choice::Decimal).is_ok();
-        let sized = texts.iter().filter(is_size).count();
-        if !texts.is_empty() && 2 * sized > texts.len() {
-            one.column = Column::Dimensions;
-        }
-    }
-    let mut dropped = Vec::new();
-    // "Units" may be a number, "Unit" a ward or "each", "Height unit" a column of units.
-    for (index, one) in candidates.iter_mut() {
-        let is_size = matches!(
-            dimension(one.column),
-            Some(Dimension::Length | Dimension::Mass)
-        );
-        if !matches!(one.column, Column::Unit | Column::Quantity) && !is_size {
-            continue;
-        }
-        let texts = sample(*index);
-        let is_unit = |text: &&String| {
-            [Dimension::Length, Dimension::Mass]
-                .into_iter()
-                .any(|dimension| cell_unit(text, dimension).is_some())
-        };
-        let units = texts.iter().filter(is_unit).count();
-        if one.column == Column::Unit {
-            if 2 * units < texts.len() || texts.is_empty() {
-                dropped.push(*index);
-            }
-        } else if units == texts.len() && !texts.is_empty() {
+        // "Units" may be a number, "Height unit" a column of units.
+        if may_be_units && count(&is_unit) == texts.len() {
             one.column = Column::Unit;
         }
-    }
-    for (index, one) in candidates.iter_mut() {
-        if one.column.spec().holds != Holds::Rating {
-            continue;
+        let is_rated = |text: &str| rating(text).is_some();
+        if !is_rating || texts.len() < 3 || 2 * count(&is_rated) >= texts.len() {
+            return true;
         }
-        let texts = sample(*index);
-        let rated = texts.iter().filter(|text| rating(text).is_some()).count();
-        if texts.len() >= 3 && 2 * rated < texts.len() {
-            let floors = texts.iter().filter(|text| storey(text).is_some()).count();
-            let is_fl = canonical(&evidence.header.heading(*index)) == "fl";
-            if is_fl && 2 * floors >= texts.len() {
-                *one = Meaning {
-                    rank: 60,
-                    language: one.language,
-                    ..Meaning::new(Column::Floor)
-                };
-            } else {
-                dropped.push(*index);
-            }
+        let is_fl = canonical(&evidence.header.heading(*index)) == "fl";
+        let is_floor = is_fl && 2 * count(&|text| storey(text).is_some()) >= texts.len();
+        if is_floor {
+            *one = Meaning {
+                rank: 60,
+                language: one.language,
+                ..Meaning::new(Column::Floor)
+            };
         }
-    }
-    for index in dropped {
-        candidates.remove(&index);
-        carry(index, evidence.header, carried);
-    }
+        is_floor
+    });
 }
 
-/// Beside a width and without a depth, a length is the longer side and the width the shorter.
-fn sides(
-    candidates: &mut Candidates,
-    header: &Header,
-    carried: &mut Vec<(u32, String)>,
-    warnings: &mut Vec<String>,
-) {
-    let has = |candidates: &Candidates, column: Column| {
-        candidates.values().any(|one| one.column == column)
-    };
-    let widths = |candidates: &Candidates, is_long: bool| -> Vec<u32> {
-        let of = |one: &&Meaning| one.column == Column::Width && one.is_long_side == is_long;
-        candidates
-            .iter()
-            .filter(|(_, one)| of(one))
-            .map(|(index, _)| *index)
-            .collect()
-    };
-    let long = widths(candidates, true);
-    let mut short = widths(candidates, false);
+/// The first texts of a column that say something.
+fn sample(index: u32, evidence: &Evidence<'_>) -> Vec<String> {
+    let texts = evidence.cells(index);
+    texts
+        .map(|(_, cell)| cell.shown().trim().to_owned())
+        .filter(|text| !is_missing(text))
+        .take(200)
+        .collect()
+}
+
+/// Beside a width and without a depth, a length is the longer side and the width the shorter; beside both it
+/// is not read, which is said.
+fn sides(candidates: &mut Candidates, header: &Header) -> Vec<String> {
+    let has_depth = candidates
+        .values()
+        .any(|one| one.column == Column::Thickness);
+    let widths = candidates
+        .iter()
+        .filter(|(_, one)| one.column == Column::Width)
+        .map(|(index, one)| (*index, one.is_long_side));
+    let (long, mut short): (Vec<_>, Vec<_>) = widths.partition(|(_, is_long)| *is_long);
     // French: L and l, both "l".
-    if short.is_empty() && long.len() == 2 && !has(candidates, Column::Thickness) {
-        short = long.get(1..).unwrap_or_default().to_vec();
+    if short.is_empty() && long.len() == 2 && !has_depth {
+        short.extend(long.get(1));
     }
     if long.is_empty() || short.is_empty() {
-        return;
+        return Vec::new();
     }
-    if has(candidates, Column::Thickness) {
-        for index in long {
-            warnings.push(format!(
-                "column {} ({}) is not read: there are a width and a depth already",
-                letters(index as usize),
-                header.heading(index)
-            ));
-            candidates.remove(&index);
-            carry(index, header, carried);
-        }
-    } else {
-        for index in short {
+    if !has_depth {
+        for (index, _) in short {
             if let Some(one) = candidates.get_mut(&index) {
                 one.column = Column::Thickness;
             }
         }
+        return Vec::new();
     }
+    let left_out = |(index, _): (u32, bool)| {
+        candidates.remove(&index);
+        format!(
+            "column {} ({}) is not read: there are a width and a depth already",
+            letters(index as usize),
+            header.heading(index)
+        )
+    };
+    long.into_iter().map(left_out).collect()
 }

@@ -93,7 +93,7 @@ impl<E> Library<E> {
     }
 
     /// The ids of all entries.
-    pub fn ids(&self) -> impl Iterator<Item = &str> {
+    pub(super) fn ids(&self) -> impl Iterator<Item = &str> {
         self.entries.iter().map(self.shelf.id)
     }
 
@@ -140,7 +140,7 @@ impl<E> Library<E> {
     }
 
     /// Ids that are similar to one that is not found, three at most.
-    pub fn nearest(&self, id: &str) -> Vec<&str> {
+    pub(super) fn nearest(&self, id: &str) -> Vec<&str> {
         let ids: Vec<&str> = self.ids().collect();
         let wanted = id.to_lowercase();
         let mut near: Vec<&str> = nearest(&wanted, &ids).into_iter().collect();
