@@ -62,6 +62,11 @@ impl Wrong {
         Self::because(Kind::OutOfRange, detail)
     }
 
+    /// A value that no quantity has, as quantities elsewhere say it.
+    pub(super) fn too_large() -> Self {
+        Self::out_of_range("is too large: no quantity is above 1e18 in SI units")
+    }
+
     pub(super) fn because(kind: Kind, detail: &str) -> Self {
         Self {
             kind,
@@ -181,7 +186,7 @@ pub(super) fn quantity(
         unit,
         !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit()),
     ) {
-        let si = unit.read(text).map_err(|_| Wrong::new(Kind::Unreadable))?;
+        let si = unit.read(text).map_err(|_| Wrong::too_large())?;
         return Ok(Measured {
             si,
             text: with_symbol(text, unit, si),
@@ -384,7 +389,7 @@ fn one(
     };
     let value = |number: &Number, unit: CellUnit, is_bare| {
         let text = choice.read(number)?;
-        let si = unit.read(&text).map_err(|_| unreadable())?;
+        let si = unit.read(&text).map_err(|_| Wrong::too_large())?;
         let text = with_symbol(&text, unit, si);
         Ok(Measured {
             si,
@@ -404,11 +409,10 @@ fn one(
                 Some(unit) => value(number, unit, true),
                 None if dimension == Dimension::Ratio => {
                     let text = choice.read(number)?;
-                    let si = text
-                        .parse::<f64>()
-                        .ok()
-                        .filter(|si| is_possible(*si))
-                        .ok_or_else(unreadable)?;
+                    let si = text.parse::<f64>().map_err(|_| unreadable())?;
+                    if !is_possible(si) {
+                        return Err(Wrong::too_large());
+                    }
                     Ok(Measured {
                         si,
                         text,
@@ -445,7 +449,7 @@ fn one(
                 (None, unit) => unit,
             };
             let is_bare = found.unit.is_none();
-            let scale = |found: &Quantity, unit| found.si(unit).map_err(|_| unreadable());
+            let scale = |found: &Quantity, unit| found.si(unit).map_err(|_| Wrong::too_large());
             let si = match stated {
                 Some(CellUnit::Known(unit)) => scale(&found, Some(unit))?,
                 Some(CellUnit::Force(unit)) => scale(&found, Some(unit))? / freestand::G0_M_S2,

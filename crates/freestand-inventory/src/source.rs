@@ -62,16 +62,21 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     let mut found: Vec<Vec<Row>> = Vec::new();
     if bytes.starts_with(b"PK") {
         let mut workbook = Workbook::open(bytes)?;
-        for (name, is_visible) in workbook.sheets() {
-            if sheet.map_or(is_visible, |wanted| {
-                name.trim().eq_ignore_ascii_case(wanted.trim())
-            }) {
+        let sheets = workbook.sheets();
+        if let Some(wanted) = sheet
+            && !sheets.iter().any(|(name, _)| is_named(name, wanted))
+        {
+            return Err(no_sheet(wanted, &sheets));
+        }
+        for (name, is_visible) in sheets {
+            if sheet.map_or(is_visible, |wanted| is_named(&name, wanted)) {
                 let mut rows = Vec::new();
                 workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
                 found.push(rows);
             }
         }
     } else {
+        refuse_sheet_of_csv(sheet)?;
         let (text, _) = encoding::decode(bytes)?;
         for separator in SEPARATORS {
             let mut rows = Vec::new();
@@ -83,6 +88,36 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     }
     let cells = |rows: &Vec<Row>| rows.iter().map(|row| row.cells.len()).sum::<usize>();
     Ok(found.into_iter().max_by_key(cells).unwrap_or_default())
+}
+
+/// Refuses a sheet that is named of a CSV.
+fn refuse_sheet_of_csv(sheet: Option<&str>) -> Result<(), Problem> {
+    let Some(sheet) = sheet else { return Ok(()) };
+    Err(Problem::value(
+        format!("a CSV has no sheet \"{}\"", shorten(sheet)),
+        "remove `sheet`, or give a workbook (.xlsx)",
+    ))
+}
+
+/// The problem of a workbook without the sheet that is named.
+fn no_sheet(wanted: &str, sheets: &[(String, bool)]) -> Problem {
+    let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
+    Problem::value(message, format!("its sheets: {}", listed(sheets)))
+}
+
+/// The names of sheets.
+fn listed(sheets: &[(String, bool)]) -> String {
+    let names: Vec<String> = sheets
+        .iter()
+        .take(10)
+        .map(|(name, _)| format!("\"{}\"", shorten(name)))
+        .collect();
+    names.join(", ")
+}
+
+/// Whether this is the name of the sheet that is wanted.
+fn is_named(name: &str, wanted: &str) -> bool {
+    name.trim().eq_ignore_ascii_case(wanted.trim())
 }
 
 impl Sheet {
@@ -106,13 +141,7 @@ impl Sheet {
             )
             .hint("save it as .xlsx without a password, or as CSV"));
         }
-        if let Some(sheet) = sheet {
-            return Err(Problem::new(
-                ProblemKind::Value,
-                format!("a CSV has no sheet \"{}\"", shorten(sheet)),
-            )
-            .hint("remove `sheet`, or give a workbook (.xlsx)"));
-        }
+        refuse_sheet_of_csv(sheet)?;
         Self::open_csv(bytes, mapping)
     }
 
@@ -159,21 +188,9 @@ impl Sheet {
     ) -> Result<Self, Problem> {
         let mut workbook = Workbook::open(bytes)?;
         let sheets = workbook.sheets();
-        let listed = || {
-            let names: Vec<String> = sheets
-                .iter()
-                .take(10)
-                .map(|(name, _)| format!("\"{}\"", shorten(name)))
-                .collect();
-            names.join(", ")
-        };
         if let Some(wanted) = wanted {
-            let Some((name, _)) = sheets
-                .iter()
-                .find(|(name, _)| name.trim().eq_ignore_ascii_case(wanted.trim()))
-            else {
-                let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
-                return Err(Problem::value(message, format!("its sheets: {}", listed())));
+            let Some((name, _)) = sheets.iter().find(|(name, _)| is_named(name, wanted)) else {
+                return Err(no_sheet(wanted, &sheets));
             };
             let header = find_in(&mut workbook, name, mapping)?.ok_or_else(|| {
                 let mut problem = no_headings();
@@ -208,7 +225,7 @@ impl Sheet {
                 return Err(Problem::new(ProblemKind::Format, message)
                     .hint("name it with `sheet`, or unhide it"));
             }
-            return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
+            return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed(&sheets))));
         };
         let (name, header) = found.swap_remove(best);
         let others: Vec<String> = found

@@ -31,7 +31,9 @@ use freestand_inventory::too_mild::{TOO_MILD, TooMild};
 use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub(crate) use curves::{cautions, contradictions};
-pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, MeasuredHazard, hazard_of, number_and_unit};
+pub(crate) use hazard::{
+    AVERAGE_KEY, HazardPlace, MeasuredHazard, NO_SITES, hazard_of, number_and_unit,
+};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
