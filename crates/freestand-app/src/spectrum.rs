@@ -18,8 +18,8 @@ use freestand_study::at_place::{LastGround, motions_at};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
-use freestand_study::target::of_place_alone;
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming};
+use freestand_study::target::of_place_alone;
 use freestand_study::unsolved::rocking_problem;
 
 use crate::block::{Rocking, accuracy, model, restitution};

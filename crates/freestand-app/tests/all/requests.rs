@@ -158,7 +158,10 @@ fn without_files() -> Vec<Asked> {
             "cushion curve",
             json!({"drop_height": "600 mm", "mass": "70 kg", "area": "0.02 m2", "limit": "40 g"}),
         ),
-        ("cushion curve", json!({"static_stress": "3 kPa"})),
+        (
+            "cushion curve",
+            json!({"static_stress": "3 kPa", "drop_height": "600 mm", "thickness": "50 mm"}),
+        ),
         ("cushion static", json!({"load": "350 N"})),
         (
             "motion info",
@@ -518,10 +521,7 @@ fn of_programs() -> Vec<Asked> {
             "motion code-spectrum",
             json!({"place": "Melbourne", "parts": true, "building_height_m": 30, "building_period_s": 1}),
         ),
-        (
-            "motion simulate",
-            json!({"city": "Wellington"}),
-        ),
+        ("motion simulate", json!({"city": "Wellington"})),
         (
             "spectrum",
             json!({"heights": [1], "thicknesses": [0.3], "place": "Lisbon", "return_period_years": 500}),

@@ -433,7 +433,9 @@ fn idle<'w>(words: &'w Words, target: &'w Target) -> impl Iterator<Item = &'stat
         let spectrum = target.parts_spectrum();
         (spectrum.sa_g(0.0), spectrum.plateau_g())
     };
-    let given = LONG_PERIODS.into_iter().filter(|key| words.get(key).is_some());
+    let given = LONG_PERIODS
+        .into_iter()
+        .filter(|key| words.get(key).is_some());
     given.filter(move |key| {
         let mut without = words.clone();
         without.remove(key);

@@ -156,7 +156,9 @@ impl<'w> Reader<'w> {
 
     /// The laws that may be meant: one of a table is written in files alone, with its table.
     fn laws(&self) -> &'static [(&'static str, LawName)] {
-        let has_table = ["compressions", "forces"].iter().any(|key| self.words.has(key));
+        let has_table = ["compressions", "forces"]
+            .iter()
+            .any(|key| self.words.has(key));
         let is_table = |text: &str| text.trim().eq_ignore_ascii_case("tabulated");
         match has_table || self.words.words.get("law").is_some_and(is_table) {
             true => &LAWS,

@@ -160,9 +160,7 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
     })?;
     let mut report = report(fit, &tests, *request);
     let idle = |key: &str, needs: &str| {
-        format!(
-            "`{key}` has no effect: all tests state theirs, and a design also needs {needs}"
-        )
+        format!("`{key}` has no effect: all tests state theirs, and a design also needs {needs}")
     };
     let (height, thickness) = (request.drop_height_m, request.thickness_m);
     if height.is_some() && !takes_height && thickness.or(request.limit_m_s2).is_none() {
@@ -299,6 +297,26 @@ mod tests {
         request.limit_m_s2 = Some(27.1828 * G0_M_S2);
         request.static_stress_pa = Some(30e3);
         let report = cushion_curve(&path, &request).unwrap();
+        std::fs::remove_file(&path).unwrap();
+        std::fs::write(
+            &path,
+            "static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\n4,600,50,60\n6,600,50,50\n\
+             10,600,50,44\n",
+        )
+        .unwrap();
+        for (key, drop_height_m, thickness_m) in [
+            ("drop_height", Some(0.6), None),
+            ("thickness", None, Some(0.05)),
+        ] {
+            let request = CurveRequest {
+                drop_height_m,
+                thickness_m,
+                ..CurveRequest::default()
+            };
+            let told = cushion_curve(&path, &request).unwrap().warnings;
+            let words = format!("`{key}` has no effect");
+            assert!(told.iter().any(|one| one.starts_with(&words)), "{told:?}");
+        }
         std::fs::remove_file(&path).unwrap();
         let best = report.best.unwrap();
         assert!((best.static_stress_pa / 10e3 - 1.0).abs() < 1e-9);

@@ -23,8 +23,8 @@ pub use spectrum::{
     usual_periods_s,
 };
 use words::Code;
-pub use words::{of_place_alone, period_code};
 pub(crate) use words::{code_name, key_of_other_code};
+pub use words::{of_place_alone, period_code};
 
 use crate::places::{Confidence, Place};
 use freestand_input::file::InputFile;

@@ -187,7 +187,9 @@ fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
             .map(|place| place.hazard.code()),
     };
     let hint = match near.as_slice() {
-        [] => format!("{PLACES}; for any other, give the hazard itself, such as `hazard_factor = \"0.08\"`"),
+        [] => format!(
+            "{PLACES}; for any other, give the hazard itself, such as `hazard_factor = \"0.08\"`"
+        ),
         names => {
             let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!("did you mean {}?", quoted.join(" or "))

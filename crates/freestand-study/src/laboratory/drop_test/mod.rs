@@ -214,7 +214,11 @@ fn one(
     warnings.extend(file.notes.iter().map(|note| format!("{name}: {note}")));
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let dt_s = component.motion.dt_s();
-    if request.read.uneven_dt_s.is_some_and(|asked_s| asked_s != dt_s) {
+    if request
+        .read
+        .uneven_dt_s
+        .is_some_and(|asked_s| asked_s != dt_s)
+    {
         warnings.push(format!(
             "{name}: `resample` has no effect: the samples are evenly spaced already, by {dt_s} s"
         ));
