@@ -12,10 +12,9 @@ use freestand_inventory::{Inventory, problem_reports};
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
+use freestand_report::assessment::assessment_text;
 use freestand_study::run::{Progress, Step};
 use serde_json::{Map, Value};
-
-use freestand_report::assessment::assessment_text;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

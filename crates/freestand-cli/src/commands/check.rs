@@ -3,10 +3,9 @@
 use clap::Args;
 use freestand_app::run::{CHECK_SCHEMA, CheckStudy, StudyMeant};
 use freestand_output::answer::Answer;
+use freestand_report::table::lines;
 use freestand_study::check::Check;
 use freestand_study::resolve::motion_paths;
-
-use freestand_report::table::lines;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

@@ -5,12 +5,11 @@ use freestand_app::floor::{Floor, Meant, SCHEMA};
 use freestand_input::words::number;
 use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
+use freestand_report::motion::floor_text;
 use freestand_study::floor::{
     FloorReport, FloorRequest, SpectraReport, floor_response_figure, floors, spectra_table,
 };
 use freestand_study::recorded::ReadMotion;
-
-use freestand_report::motion::floor_text;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

@@ -3,10 +3,9 @@
 use clap::Args;
 use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
 use freestand_output::json::document;
+use freestand_report::fragility::curves_text;
 use freestand_risk::export::ExportRequest;
 use freestand_risk::fragility::{FragilityRequest, fragility_watched};
-
-use freestand_report::fragility::curves_text;
 
 use super::assess::watched;
 use super::exports::{Exported, write};

@@ -3,14 +3,13 @@
 use freestand_app::fragility::{Runs, SCHEMA};
 use freestand_input::problem::Problem;
 use freestand_output::json::document;
+use freestand_report::fragility::runs_text;
 use freestand_risk::LEFT_OUT;
 use freestand_risk::export::ExportRequest;
 use freestand_risk::fragility::{
     KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs, ida_figure, measures_figure,
     residuals_figure,
 };
-
-use freestand_report::fragility::runs_text;
 
 use super::Done;
 use super::assess::watched;

@@ -4,7 +4,6 @@
 use std::slice;
 
 use freestand_app::library::{Library, List, Listed, Meant, Search, Show, Wanted};
-
 use freestand_report::library::{Layout, entries_text, entry_text};
 
 use super::{Done, Tell};

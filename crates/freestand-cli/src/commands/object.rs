@@ -3,7 +3,6 @@
 use clap::Args;
 use freestand_app::object::{Meant, Object, SCHEMA};
 use freestand_assess::one_object::one_object_shown;
-
 use freestand_report::object::object_text;
 
 use super::{Done, Tell};

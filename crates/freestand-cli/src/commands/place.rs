@@ -2,9 +2,8 @@
 
 use clap::{Args, Subcommand};
 use freestand_app::places::{Found, PlaceList, PlaceShow, SCHEMA};
-use freestand_study::places::Place;
-
 use freestand_report::place::{place_text, places_text};
+use freestand_study::places::Place;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

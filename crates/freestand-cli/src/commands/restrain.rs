@@ -3,7 +3,6 @@
 use clap::Args;
 use freestand_app::restrain::{Asked, Meant, Restrain, SCHEMA};
 use freestand_assess::restrain::{restrain, restrain_list};
-
 use freestand_report::restraint::{restraint_text, restraints_text};
 
 use super::{Done, Tell};

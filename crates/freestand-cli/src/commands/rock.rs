@@ -4,11 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA};
-use freestand_study::drawn::DrawnHistory;
-use serde::Serialize;
-
 use freestand_report::rocking::followed_text;
 use freestand_report::table::lines;
+use freestand_study::drawn::DrawnHistory;
+use serde::Serialize;
 
 use super::motion::plot::{PlotArgs, place};
 use super::{Done, Tell};

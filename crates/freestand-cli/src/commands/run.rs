@@ -8,6 +8,7 @@ use freestand_app::files::Files as Sources;
 use freestand_app::request::Question as _;
 use freestand_app::run::{Meant, Run};
 use freestand_output::folder::{OutputFolder, removed_note};
+use freestand_report::study::{levels_text, sensitivity_text};
 use freestand_study::outputs::{expected_names, write_outputs};
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{builtin_toml, motion_paths};
@@ -15,8 +16,6 @@ use freestand_study::result::NoResult;
 use freestand_study::run::{Stage, Step, run as run_study};
 use freestand_study::summary::{RunAnswer, Summary};
 use freestand_study::vary::vary;
-
-use freestand_report::study::{levels_text, sensitivity_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

@@ -12,7 +12,6 @@ use freestand_assess::job::{
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
-
 use freestand_report::assessment::{missing_text, plan_text, quoted};
 
 use super::assess::{print, watched};

@@ -3,9 +3,8 @@
 use clap::Args;
 use freestand_app::shock::{Meant, SCHEMA, Shock};
 use freestand_output::answer::Answer;
-use freestand_study::shock::{Verdict, shock};
-
 use freestand_report::table::lines;
+use freestand_study::shock::{Verdict, shock};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

@@ -2,9 +2,8 @@
 
 use clap::Args;
 use freestand_app::shock_spectrum::{Meant, SCHEMA, Shock, ShockSpectrum};
-use freestand_study::recorded::ReadMotion;
-
 use freestand_report::motion::shock_spectrum_text;
+use freestand_study::recorded::ReadMotion;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

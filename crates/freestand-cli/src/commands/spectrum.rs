@@ -8,14 +8,13 @@ use freestand::respond::{HistoryOptions, RigidHistory};
 use freestand::rocking::Base;
 use freestand_app::spectrum::{Meant, Others, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
+use freestand_report::spectrum::Seen;
 use freestand_study::at_place::LastGround;
 use freestand_study::drawn::{DrawnHistory, drawn};
 use freestand_study::rock::edge_landings;
 use freestand_study::spectrum::{SpectrumMotion, SpectrumRequest, chunk_objects, spectrum};
 use freestand_study::unsolved;
 use serde::Serialize;
-
-use freestand_report::spectrum::Seen;
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;

@@ -3,7 +3,6 @@
 use clap::{Args, Subcommand};
 use freestand_app::library::{List, Search, Show, Tolerances};
 use freestand_inventory::library::ToleranceEntry;
-
 use freestand_report::library::{Layout, TOLERANCES};
 
 use super::library::Printed;

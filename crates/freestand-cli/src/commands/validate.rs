@@ -3,7 +3,6 @@
 use clap::Args;
 use freestand_app::validate::{SCHEMA, Validate};
 use freestand_inventory::validate::validate;
-
 use freestand_report::validation::validation_text;
 
 use super::{Done, Tell};

@@ -143,6 +143,18 @@ fn help_lists_no_flag_that_is_always_refused() {
     }
 }
 
+/// The help does not break the lines of its examples, so that they can be copied.
+#[test]
+fn examples_of_the_help_fit_into_a_terminal() {
+    let folder = root().join("crates/freestand-cli/src/help");
+    let mut texts = Vec::new();
+    sources(&folder, &mut texts);
+    assert!(texts.len() > 40, "{}", texts.len());
+    let long = texts.iter().flat_map(|text| text.lines());
+    let long: Vec<&str> = long.filter(|line| line.chars().count() > 100).collect();
+    assert!(long.is_empty(), "{long:#?}");
+}
+
 /// `freestand … | head -1`: no message, no panic.
 #[cfg(unix)]
 #[test]

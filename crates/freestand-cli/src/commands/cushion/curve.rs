@@ -5,9 +5,8 @@ use std::slice;
 use clap::Args;
 use freestand_app::cushion_curve::{CushionCurve, Meant, SCHEMA};
 use freestand_output::answer::Answer;
-use freestand_study::laboratory::cushion_curve::cushion_curve;
-
 use freestand_report::table::lines;
+use freestand_study::laboratory::cushion_curve::cushion_curve;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

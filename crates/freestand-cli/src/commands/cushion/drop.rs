@@ -3,11 +3,10 @@
 use clap::Args;
 use freestand::identify::DropTest;
 use freestand_app::drop_test::{DropTests, SCHEMA};
+use freestand_report::cushion::drops_text;
 use freestand_study::laboratory::drop_figures;
 use freestand_study::laboratory::drop_test::{DropRequest, cushion_toml, drop_tests, loop_table};
 use serde::Serialize;
-
-use freestand_report::cushion::drops_text;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

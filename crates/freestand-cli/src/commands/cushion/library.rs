@@ -3,7 +3,6 @@
 use clap::Args;
 use freestand_app::library::{Cushions, List, Search, Show};
 use freestand_inventory::library::CushionEntry;
-
 use freestand_report::library::{CUSHIONS, Layout};
 
 use crate::commands::library::Printed;

@@ -3,10 +3,9 @@
 use clap::Args;
 use freestand_app::recovery::{Recovery, SCHEMA};
 use freestand_output::answer::Answer;
-use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery};
-
 use freestand_report::cushion::RECOVERED;
 use freestand_report::table::facts_table;
+use freestand_study::laboratory::virtual_laboratory::{RecoveryRequest, recovery};
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

@@ -6,12 +6,11 @@ use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_app::virtual_test::{Meant, Plan, SCHEMA, VirtualTests};
 use freestand_output::answer::Answer;
+use freestand_report::cushion::SIMULATED;
+use freestand_report::table::facts_table;
 use freestand_study::laboratory::virtual_laboratory::{
     SimulatedTest, SimulatedTests, drop_file, static_file,
 };
-
-use freestand_report::cushion::SIMULATED;
-use freestand_report::table::facts_table;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

@@ -9,7 +9,6 @@ use freestand_input::problem::Problems;
 use freestand_input::words::counted;
 use freestand_inventory::{check_report, console_lines, mapping_of_headings, senses};
 use freestand_output::folder::write_file;
-
 use freestand_report::list::list_text;
 use freestand_report::table::table;
 

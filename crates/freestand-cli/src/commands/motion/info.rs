@@ -3,10 +3,9 @@
 use clap::Args;
 use freestand_app::motion::{INFO, Meant, MotionInfo};
 use freestand_output::figure::Figure;
+use freestand_report::motion::measures_text;
 use freestand_study::inspect::{InfoReport, InfoRequest, info};
 use rayon::prelude::*;
-
-use freestand_report::motion::measures_text;
 
 use super::plot::{PlotArgs, place};
 use crate::args::GlobalArgs;

@@ -3,9 +3,8 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::pair::{ROTD, Rotd};
-use freestand_study::inspect::rotd;
-
 use freestand_report::motion::rotd_text;
+use freestand_study::inspect::rotd;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

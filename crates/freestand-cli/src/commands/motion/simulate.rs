@@ -6,11 +6,10 @@ use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_app::simulate::{Meant, SCHEMA, Simulate};
 use freestand_records::formats::write_csv;
+use freestand_report::motion::earthquakes_text;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{SimulatedReport, simulate};
-
-use freestand_report::motion::earthquakes_text;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

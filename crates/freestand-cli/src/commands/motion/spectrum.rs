@@ -2,9 +2,8 @@
 
 use clap::Args;
 use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM, SpectrumAnswer};
-use freestand_study::inspect::spectrum;
-
 use freestand_report::motion::response_text;
+use freestand_study::inspect::spectrum;
 
 use super::info::Output;
 use super::plot::place;

@@ -4,10 +4,9 @@ use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
 use freestand_records::formats::write_csv;
+use freestand_report::motion::fits_text;
 use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
-
-use freestand_report::motion::fits_text;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
