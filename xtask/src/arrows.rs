@@ -58,6 +58,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand",
             "freestand-input",
             "freestand-output",
+            "freestand-records",
             "freestand-study",
             "freestand-inventory",
             "freestand-assess",
@@ -75,6 +76,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-inventory",
             "freestand-assess",
             "freestand-risk",
+            "freestand-report",
         ],
     ),
     // It knows no command.

@@ -1,7 +1,7 @@
 //! `assess`: which objects of a list must be restrained.
 
+use crate::job::Job;
 use clap::ArgAction;
-use freestand_assess::job::Job;
 use freestand_assess::result::Decision;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
@@ -13,7 +13,7 @@ use crate::list::{ListKeys, ListMeant};
 use crate::request::{Question, Request as _, Switch, one_of, reader, request, seed};
 
 /// The schema of the response.
-pub use freestand_assess::job::SCHEMA;
+pub use crate::job::SCHEMA;
 
 request! { question
     /// A list in the building of a study.

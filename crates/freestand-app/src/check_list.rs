@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::job::floors_of;
+use freestand_assess::list::floors_of;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::word_reader::WordReader;

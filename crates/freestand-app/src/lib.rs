@@ -12,6 +12,7 @@ pub mod files;
 pub mod floor;
 pub mod fragility;
 pub mod inventory;
+pub mod job;
 pub mod library;
 pub mod list;
 pub mod motion;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
-use freestand_assess::job::{ListRequest, inventory_of};
+use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use crate::job::check_shards;
 use clap::ArgAction;
-use freestand_assess::job::check_shards;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;

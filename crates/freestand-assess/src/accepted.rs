@@ -7,7 +7,7 @@ use crate::result::AcceptedFor;
 use freestand_inventory::{Consequences, Item, Rating};
 
 /// The accepted probability of an object, and what sets it.
-pub(crate) fn accepted(item: &Item, settings: &Settings) -> (f64, AcceptedFor) {
+pub fn accepted(item: &Item, settings: &Settings) -> (f64, AcceptedFor) {
     let cg_height_m = item
         .cg_height_m
         .or(item.height_m.map(|height_m| 0.5 * height_m));

@@ -70,14 +70,14 @@ const ALL: [Assumption; 11] = [
 ];
 
 /// The names of the columns that are empty for an object.
-pub(crate) fn columns(item: &Item) -> impl Iterator<Item = &'static str> {
+pub fn columns(item: &Item) -> impl Iterator<Item = &'static str> {
     ALL.into_iter()
         .filter(|(_, is_open, _)| is_open(item))
         .map(|(column, ..)| column.name())
 }
 
 /// Of each column that is empty for some objects: its name, for how many, and what is then assumed.
-pub(crate) fn counted(items: &[Item]) -> Vec<(&'static str, usize, &'static str)> {
+pub fn counted(items: &[Item]) -> Vec<(&'static str, usize, &'static str)> {
     let of = |(column, is_open, words): Assumption| {
         let objects = items.iter().filter(|item| is_open(item)).count();
         (objects > 0).then(|| (column.name(), objects, words))

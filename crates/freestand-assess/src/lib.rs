@@ -1,21 +1,21 @@
-//! Which objects of an inventory must be restrained: the inventory, the libraries of tolerances and
-//! cushions, and the assessment.
+//! Which objects of an inventory must be restrained: the worlds they live through and their verdicts.
 //!
-//! An assessment takes two calls: [`job::inventory_of`] reads the inventory; [`job::assess_into`]
-//! makes the motions of its floors, gives every object its verdict and writes the tables and the
-//! report.
+//! [`list::inventory_of`] reads the inventory; [`portfolio::assess`] makes the motions of its floors and gives
+//! every object its verdict, part by part.
 
-pub mod job;
+pub mod accepted;
+pub mod assumed;
+pub mod key;
+pub mod list;
 pub mod one_object;
-pub mod output;
-mod rank;
+pub mod portfolio;
+pub mod rank;
 pub mod restrain;
-mod restraint;
 pub mod result;
-
-mod accepted;
-mod assumed;
-mod kept_motions;
-mod two_spectra;
+pub mod store;
 pub mod verdict;
 pub mod worlds;
+
+mod kept_motions;
+mod restraint;
+pub mod two_spectra;

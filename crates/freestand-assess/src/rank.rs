@@ -6,14 +6,14 @@ use crate::result::{Assessment, Decision, Probability};
 use freestand_inventory::{Item, Rating};
 
 /// The rule of [`Urgency`] in words; every output that shows the list prints it.
-pub(crate) const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \
+pub const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \
     verdict, and what to leave. Within each: life safety (high first), probability of falling over, probability of exceeding the \
     tolerance, property and function (high first), quantity (largest first), row of the list. An unrated object comes \
     after one rated low, and a probability that is not known counts as 0.";
 
 /// What the rank of an object depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Urgency {
+pub struct Urgency {
     decision: Decision,
     life_safety: Option<Rating>,
     /// P(it falls) and P(its tolerance is exceeded), by the model that decides.
@@ -26,7 +26,7 @@ pub(crate) struct Urgency {
 
 impl Urgency {
     /// Of an object and its assessment.
-    pub(crate) fn new(item: &Item, found: &Assessment) -> Self {
+    pub fn new(item: &Item, found: &Assessment) -> Self {
         let value = |p: Option<Probability>| p.map_or(0.0, |p| p.value);
         Self {
             decision: found.decision,
@@ -40,7 +40,7 @@ impl Urgency {
     }
 
     /// The order of [`RULE`]: the more urgent object is the lesser.
-    pub(crate) fn cmp(&self, other: &Self) -> Ordering {
+    pub fn order(&self, other: &Self) -> Ordering {
         let [falls, exceeds] = self.probabilities;
         let [other_falls, other_exceeds] = other.probabilities;
         self.decision
@@ -159,7 +159,7 @@ mod tests {
         ];
         for (i, one) in list.iter().enumerate() {
             for (j, other) in list.iter().enumerate() {
-                assert_eq!(one.cmp(other), i.cmp(&j), "{i} {j}");
+                assert_eq!(one.order(other), i.cmp(&j), "{i} {j}");
             }
         }
     }

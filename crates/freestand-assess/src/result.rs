@@ -298,7 +298,7 @@ pub struct BeforeWall {
 impl Rolled {
     /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
     /// is all that is known.
-    pub(crate) fn reach_words(&self, units: UnitSystem) -> String {
+    pub fn reach_words(&self, units: UnitSystem) -> String {
         let to_stop_m = self
             .clearance_m
             .filter(|_| self.stop_share > 0.0)

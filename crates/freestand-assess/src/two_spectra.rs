@@ -10,14 +10,14 @@ use freestand_inventory::Item;
 
 /// Whether the result by the other spectrum is the worse one: the more urgent by [`crate::rank::RULE`], which for one
 /// object compares the decision, the probability that it falls and the probability that its tolerance is exceeded.
-pub(crate) fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
+pub fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
     Urgency::new(item, other)
-        .cmp(&Urgency::new(item, one))
+        .order(&Urgency::new(item, one))
         .is_lt()
 }
 
 /// The result that counts; where it is that by the other spectrum, it says so. `study` is that of the other spectrum.
-pub(crate) fn worse(item: &Item, study: &Study, one: Assessment, other: Assessment) -> Assessment {
+pub fn worse(item: &Item, study: &Study, one: Assessment, other: Assessment) -> Assessment {
     if !is_worse(item, &one, &other) {
         return one;
     }
@@ -26,7 +26,7 @@ pub(crate) fn worse(item: &Item, study: &Study, one: Assessment, other: Assessme
 }
 
 /// That the spectrum of `study` decides, after an article.
-pub(crate) fn decides(study: &Study) -> String {
+pub fn decides(study: &Study) -> String {
     let number = study
         .ground
         .code_spectrum()
@@ -38,10 +38,7 @@ pub(crate) fn decides(study: &Study) -> String {
 }
 
 /// Refuses outcomes where there are two spectra: those of both cannot stand in one table.
-pub(crate) fn refuse_outcomes(
-    wants_outcomes: bool,
-    alternative: Option<&Study>,
-) -> Result<(), Problem> {
+pub fn refuse_outcomes(wants_outcomes: bool, alternative: Option<&Study>) -> Result<(), Problem> {
     if !wants_outcomes || alternative.is_none() {
         return Ok(());
     }

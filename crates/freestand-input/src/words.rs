@@ -75,6 +75,15 @@ pub fn counted(count: usize, noun: &str) -> String {
     }
 }
 
+/// `level`, `level and height`, `level, height and thickness`.
+pub fn listed(names: &[&str]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => (*one).to_owned(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
 /// The first `most` of several names: `a, b and 42 more`.
 pub fn some(names: &[impl AsRef<str>], most: usize) -> String {
     let listed: Vec<&str> = names.iter().take(most).map(AsRef::as_ref).collect();

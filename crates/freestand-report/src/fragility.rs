@@ -1,8 +1,29 @@
 //! Fragilities.
 
-use freestand_risk::fragility::{FragilityReport, RunsReport};
+use freestand_inventory::Inventory;
+use freestand_risk::fragility::{FragilityReport, RunsReport, StudyTold};
+use freestand_study::study::Study;
 
+use crate::assessment::{head, said};
 use crate::table::{Column, facts_table};
+
+/// What is told of the study and the list of runs.
+pub fn study_told(study: &Study, inventory: &Inventory) -> StudyTold {
+    let told = said(study, &head::head(study, inventory));
+    StudyTold {
+        warnings: told.all_warnings(),
+        no_study: told.no_study,
+        assumed: head::silent(study, inventory),
+        place_is_assumed: told.place_is_assumed,
+        building_is_assumed: told.building_is_assumed,
+        place_name: told.place_name,
+        building_name: told.building_name,
+        hazard: head::hazard(study),
+        building: head::building(study),
+        place: told.place,
+        toml: study.toml.clone(),
+    }
+}
 
 const COLUMNS: [Column; 9] = [
     ("id", "object", 0),

@@ -3,12 +3,16 @@
 
 pub mod assessment;
 pub mod cushion;
+pub mod figures;
 pub mod fragility;
 pub mod library;
 pub mod list;
 pub mod motion;
 pub mod object;
 pub mod place;
+#[cfg(test)]
+#[path = "../../freestand-output/tests/print/check.rs"]
+mod print_check;
 pub mod restraint;
 pub mod rocking;
 pub mod spectrum;

@@ -121,7 +121,7 @@ impl Shape {
 }
 
 /// The size of an object in figures.
-pub(crate) fn size_words(thickness_m: f64, height_m: f64) -> String {
+pub fn size_words(thickness_m: f64, height_m: f64) -> String {
     format!(
         "{} mm × {} m",
         number(1e3 * thickness_m, 4),

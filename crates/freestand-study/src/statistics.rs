@@ -148,7 +148,10 @@ mod tests {
     /// An object that ends leaning on a wall ranks with those that overturn.
     #[test]
     fn leaning_counts_as_overturning() {
-        let result = crate::fixture::result(&crate::fixture::study());
+        let text = "[ground]\ncount = 2\n[building]\nlevels = [0.0, 1.0]\n[objects]\nheights = \"1 m, 2 m, 3 m\"\n\
+                    thicknesses = \"400 mm\"\n";
+        let study = crate::resolve::resolve(text, None, "".as_ref()).unwrap();
+        let result = crate::run::run(&study, &crate::run::no_progress).unwrap();
         let responses = result
             .levels
             .iter()

@@ -6,16 +6,15 @@ use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
-use freestand_study::compliant::{
-    CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions, trace_figure,
+use freestand_report::figures::{
+    rock_figure, slide_figure, spatial_figure, stack_figure, trace_figure,
 };
+use freestand_study::compliant::{CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
-use freestand_study::figures::{rock_figure, slide_figure};
 use freestand_study::rock::{RockAnswer, RockReport, RockRequest, rock};
 use freestand_study::sliding::{SlideAnswer, SlideReport, SlideRequest, slide};
 use freestand_study::spatial::{
     SpatialAnswer, SpatialReport, StackAnswer, StackReport, rock_in_space, rock_stacked,
-    spatial_figure, stack_figure,
 };
 use freestand_study::{compliant, rock, sliding, spatial};
 use serde::Serialize;

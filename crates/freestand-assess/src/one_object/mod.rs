@@ -16,13 +16,13 @@ use freestand_study::places::Place;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 
-use crate::output::words::listed;
 use crate::result::Assessment;
 use crate::two_spectra::{decides, is_worse};
 use crate::verdict::{Context, Member, Subject, Tally, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
+use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
 
 pub use report::AtScale;

@@ -6,7 +6,7 @@ use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
 use super::{Earthquake, FloorPlace, Object, ObjectRequest, RestsOn};
-use crate::job::floors_of;
+use crate::list::floors_of;
 use freestand_inventory::library::Libraries;
 use freestand_inventory::{Column, Finding, Item, Severity, Surroundings, Value, item_of};
 

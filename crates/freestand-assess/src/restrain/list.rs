@@ -15,7 +15,7 @@ use super::{
     Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
     assumed_hazard, case_of, floor_of_list,
 };
-use crate::output::words::listed;
+use freestand_input::words::listed;
 use freestand_inventory::library::Libraries;
 use freestand_inventory::{
     CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory,

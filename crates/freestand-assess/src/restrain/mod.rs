@@ -30,7 +30,7 @@ use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 use freestand_study::target::Target;
 
-use crate::job::floors_of;
+use crate::list::floors_of;
 use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
 use freestand_inventory::{Floors, level_of_floor};

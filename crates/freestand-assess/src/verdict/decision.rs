@@ -2,11 +2,11 @@
 
 use freestand::decision::Side;
 
-use crate::output::words::listed;
 use crate::result::{
     Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
     TooMild,
 };
+use freestand_input::words::listed;
 use freestand_input::words::{counted, percent_significant};
 
 impl FallsAnswer {

@@ -338,41 +338,29 @@ mod tests {
     use std::fmt::Write as _;
 
     use super::*;
-    use crate::output::fixture::item;
-    use freestand_inventory::{Casters, Item, UpperBody};
+    use freestand_inventory::library::Libraries;
+    use freestand_inventory::{ReadOptions, read_inventory};
 
     /// A change of these numbers changes every result: random numbers belong to the seed, the world,
     /// the group and the name of an object alone. To 12 digits, because the last ones differ between
     /// the mathematical libraries of machines.
     #[test]
     fn the_draws_of_objects() {
-        let plain = Item {
-            id: "cabinet".to_owned(),
-            ..item(0)
-        };
-        let mut rolling = Item {
-            id: "trolley".to_owned(),
-            ..item(1)
-        };
-        rolling.surroundings.casters = Some(Casters::Free);
-        let mut stack = Item {
-            id: "case on a desk".to_owned(),
-            ..item(2)
-        };
-        stack.surroundings.wall_gap_m = Some(0.05);
-        stack.surroundings.upper = Some(UpperBody {
-            height_m: 0.4,
-            thickness_m: 0.3,
-            mass_kg: Some(20.0),
-        });
-        let mut walled = Item {
-            id: "shelf at a wall".to_owned(),
-            ..item(3)
-        };
-        walled.surroundings.wall_gap_m = Some(0.05);
+        let list = "id,level_ratio,height [mm],thickness [mm],width [mm],base_thickness [mm],cg_height [mm],mass [kg],\
+                    stiffness [N/mm],restitution,restitution_factor,casters,wall_gap [mm],upper_height [mm],\
+                    upper_thickness [mm],upper_mass [kg]\n\
+                    cabinet,0,1700,450,,,,110,4380,,,,,,,\n\
+                    trolley,0.25,1720,455,800,350,900,111,4380,0.9,,free,,,,\n\
+                    case on a desk,0.5,1740,460,800,,,112,4380,,0.95,,50,400,300,20\n\
+                    shelf at a wall,0.75,1760,465,800,,,113,4380,,,,50,,,\n";
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("list.csv");
+        std::fs::write(&path, list).unwrap();
+        let libraries = Libraries::with_files(None, None).unwrap();
+        let read = libraries.looked_up(|lookup| read_inventory(&path, &ReadOptions::new(lookup)));
         let settings = Settings::default();
         let mut told = String::new();
-        for item in [plain, rolling, stack, walled] {
+        for item in read.unwrap().items {
             let subject = Subject::new(&item, &settings).unwrap();
             for (world, change) in [
                 (0, Change::None),

@@ -36,7 +36,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::accepted::accepted;
-use crate::output::outcomes_rows;
 use crate::result::{Assessment, Decision};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -50,6 +49,7 @@ pub(crate) use comparisons::restraint_of;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{Nominal, NominalRun};
 pub(crate) use object::{Subject, middle};
+pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub(crate) use tally::Tally;
 
 /// What all objects share.
@@ -147,18 +147,18 @@ fn asks_shock(item: &Item, of_study: Option<Questions>) -> bool {
     }
 }
 
-/// The assessments of some objects, in their order; what happened to them in every world is put
-/// into `outcomes`.
+/// The assessments of some objects, in their order, and what happened to them in every world as `outcomes`
+/// writes it.
 pub(crate) fn assess_group(
     context: &Context,
     members: &[Member],
-    outcomes: Option<&mut Vec<u8>>,
-) -> Result<Vec<Assessment>, Problems> {
+    outcomes: Option<WriteOutcomes>,
+) -> Result<(Vec<Assessment>, Option<Vec<u8>>), Problems> {
     let trials = lived(context, members)?;
-    if let Some(rows) = outcomes {
-        *rows = outcomes_rows(trials.iter().flat_map(outcomes::outcomes))?;
-    }
-    assessed(context, &trials)
+    let rows = outcomes
+        .map(|write| write(&mut trials.iter().flat_map(outcomes::outcomes)))
+        .transpose()?;
+    Ok((assessed(context, &trials)?, rows))
 }
 
 /// The assessment of one object, the same as in a list, with what its worlds add up to, and some of

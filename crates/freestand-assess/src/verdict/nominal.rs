@@ -21,9 +21,9 @@ use super::object::{AxisGeometry, Body, Model, Subject, Way, own_damping_ratio};
 use super::respond::responses;
 use super::response::{AxisMotion, Lived, ModelResponse, PadMotion, terms};
 use super::slip::slips;
-use crate::output::words::listed;
 use crate::result::{Criterion, TooMild};
 use crate::worlds::FloorOfWorld;
+use freestand_input::words::listed;
 use freestand_inventory::Item;
 use freestand_inventory::library::Tolerance;
 

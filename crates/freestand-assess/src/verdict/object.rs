@@ -14,8 +14,8 @@ use freestand::wall::{Wall, Walls};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
-use crate::output::words::listed;
 use crate::result::{Axis, TooMild};
+use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
 
 use super::capacity::Capacity;

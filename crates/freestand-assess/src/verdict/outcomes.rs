@@ -1,14 +1,50 @@
 //! What happened to an object in each world, for those who check or refit its probabilities.
 
 use freestand::G0_M_S2;
-
-use crate::output::OutcomeRow;
+use freestand_input::problem::Problem;
 
 use super::object::{Hit, Model, Way};
 use super::response::{
     AxisMotion, Lived, ModelResponse, PadMotion, demand_capacity, pads_demand_capacity,
 };
 use super::trial::{Question, Trial};
+
+/// An object in a world by one model, with the values that it had there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OutcomeRow<'a> {
+    /// The object.
+    pub id: &'a str,
+    /// Its number, counted from 0.
+    pub world: u32,
+    /// `rigid` or `compliant`.
+    pub model: &'static str,
+    /// `None`: it could not be followed.
+    pub has_fallen: Option<bool>,
+    /// `None`: not known, or there is no tolerance.
+    pub has_exceeded: Option<bool>,
+    /// Infinite where it fell.
+    pub demand_capacity_ratio: Option<f64>,
+    /// `None`: it fell.
+    pub lift_m: Option<f64>,
+    /// `None`: it fell, or mass or cushion is not known.
+    pub edge_acceleration_g: Option<f64>,
+    /// Restitution about the thickness, as height and thickness are drawn.
+    pub restitution: f64,
+    /// Stiffness of the cushion under one edge \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// Damping ratio of the pads.
+    pub pad_damping_ratio: Option<f64>,
+    /// Mass \[kg\].
+    pub mass_kg: Option<f64>,
+    /// Height \[m\].
+    pub height_m: f64,
+    /// Thickness \[m\].
+    pub thickness_m: f64,
+}
+
+/// Rows as the file of a part has them.
+pub type WriteOutcomes =
+    for<'a> fn(&mut (dyn Iterator<Item = OutcomeRow<'a>> + '_)) -> Result<Vec<u8>, Problem>;
 
 /// The rows of a trial: its worlds in their order, the rigid base before the pads.
 pub(super) fn outcomes<'a>(trial: &'a Trial) -> impl Iterator<Item = OutcomeRow<'a>> {

@@ -1,11 +1,11 @@
 //! What an assessment says of an object besides its decision.
 
-use crate::output::words::listed;
 use crate::result::{
     AtWall, InSpace, ModelAnswers, Ranked, Rolled, Slipped, Stacked, TooMild, Unstated,
 };
 use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
+use freestand_input::words::listed;
 use freestand_input::words::{counted, number};
 use freestand_inventory::{Casters, Surroundings};
 

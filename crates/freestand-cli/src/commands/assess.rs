@@ -4,15 +4,14 @@ use std::path::Path;
 
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
-use freestand_assess::job::{Finished, Job, JobReport, assess_telling};
-use freestand_assess::output::object_rows;
+use freestand_app::job::{Job, TellRow, assess_telling};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_inventory::{Inventory, problem_reports};
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
-use freestand_report::assessment::assessment_text;
+use freestand_report::assessment::{JobReport, assessment_text, object_rows};
 use freestand_study::run::{Progress, Step};
 use serde_json::{Map, Value};
 
@@ -73,7 +72,7 @@ impl Tell for Assess {
                 .into_iter()
                 .for_each(|session| session.object(row))
         };
-        let finished: Option<Finished> = printer.session().is_some().then_some(&told);
+        let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
         let report = watched(printer, |progress| {
             assess_telling(&study, &inventory, &out, &job, (progress, finished))
         })?;

@@ -5,10 +5,9 @@ use freestand_app::floor::{Floor, Meant, SCHEMA};
 use freestand_input::words::number;
 use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
+use freestand_report::figures::{floor_response_figure, profile_figure};
 use freestand_report::motion::floor_text;
-use freestand_study::floor::{
-    FloorReport, FloorRequest, SpectraReport, floor_response_figure, floors, spectra_table,
-};
+use freestand_study::floor::{FloorReport, FloorRequest, SpectraReport, floors, spectra_table};
 use freestand_study::recorded::ReadMotion;
 
 use super::{Done, Tell};
@@ -85,7 +84,7 @@ fn report(
     let report = FloorReport::new(request, motions, spectra)
         .ok_or_else(|| Failure::computation("the files were read but contain no motion"))?;
     files.table("profile", || report.profile_table())?;
-    files.figure("profile", || report.profile_figure())?;
+    files.figure("profile", || profile_figure(&report))?;
     if let Some(spectra) = &report.spectra {
         files.table("spectra", || spectra_table(spectra))?;
         let draw =

@@ -3,12 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use freestand_app::shard::{
-    MERGE_SCHEMA, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
-};
-use freestand_assess::job::{
+use freestand_app::job::{
     Merged, PLAN_SCHEMA, PlanRequest, SHARD_SCHEMA, ShardReport, merge_shards, plan_shards,
     run_shard,
+};
+use freestand_app::shard::{
+    MERGE_SCHEMA, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;

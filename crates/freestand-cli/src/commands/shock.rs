@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::shock::{Meant, SCHEMA, Shock};
 use freestand_output::answer::Answer;
+use freestand_report::figures::boundary_figure;
 use freestand_report::table::lines;
 use freestand_study::shock::{Verdict, shock};
 
@@ -33,7 +34,7 @@ impl Tell for Shock {
         let report = shock(&meant.landing)?;
         if let Some(boundary) = report.damage_boundary {
             let tests = meant.landing.boundary_tests.as_ref();
-            files.figure("damage-boundary", || boundary.figure(tests))?;
+            files.figure("damage-boundary", || boundary_figure(&boundary, tests))?;
         }
         let answer = &report.answer;
         files.print(printer, SCHEMA, answer, &report.warnings, || {

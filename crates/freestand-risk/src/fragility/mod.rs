@@ -40,7 +40,7 @@ pub(crate) use outcomes::measure_of;
 pub use quality::Quality;
 pub use runs::{
     Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject,
-    KeepRuns, Limits, METHODS, Method, RunObjects, RunsReport, RunsRequest, file_name,
+    KeepRuns, Limits, METHODS, Method, RunObjects, RunsReport, RunsRequest, StudyTold, file_name,
     fragility_of_runs, ida_figure, measures, measures_figure, residuals_figure, scales,
 };
 

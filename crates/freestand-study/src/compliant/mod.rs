@@ -1,8 +1,5 @@
 //! One history of an object on its cushions, compared with Eq. (5): request → report.
 
-mod figure;
-
-pub use figure::trace_figure;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::{

@@ -1,29 +1,22 @@
 //! Floors of a building under ground motions: request → report.
 
-mod profile_figure;
-mod spectra_figure;
-
 use freestand::G0_M_S2;
 use freestand::building::{Building, FloorPeaks, Mode, floor_motions, floor_peaks};
 use freestand::code_spectrum::CodeSpectrum;
 use freestand::measures::cumulative_trapezoid;
 use freestand::motion::Motion;
-pub(crate) use profile_figure::{ProfilePicture, floor_profile};
-pub use spectra_figure::floor_response_figure;
 
 use crate::building::{BuildingInput, ModeReport, damping_words, model_words};
 use crate::inspect::check_upsampling;
 use crate::recorded::ReadMotion;
 use crate::statistics::{QUANTILES, ranked_quantile};
 use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, RecordedMotion};
-use crate::target::{CodeParts, code_parts};
+use crate::target::code_parts;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::significant;
 use freestand_output::answer;
 use freestand_output::answer::Answer;
 use freestand_output::facts::table;
-use freestand_output::figure::page::draw;
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_records::notes::{Note, NoteKind};
@@ -482,37 +475,6 @@ impl FloorReport {
             spectra,
             code_clause: code.map(|code| code.clause),
         })
-    }
-
-    /// The profile over the height as a figure.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn profile_figure(&self) -> Result<Figure, FigureError> {
-        let profile = || self.levels.iter().map(|level| &level.profile);
-        let pfa_g: Vec<Vec<f64>> = self
-            .motions
-            .iter()
-            .map(|motion| motion.levels.iter().map(|level| level.pfa_g).collect())
-            .collect();
-        let code = self.code_clause.map(|clause| CodeParts {
-            clause,
-            accel_g: profile().filter_map(|level| level.code_part_g).collect(),
-        });
-        let picture = ProfilePicture {
-            levels_ratio: &profile()
-                .map(|level| level.level_ratio)
-                .collect::<Vec<f64>>(),
-            height_m: Some(self.building_height_m),
-            pfa_g: &pfa_g,
-            pga_g: &self
-                .motions
-                .iter()
-                .map(|motion| motion.pga_g)
-                .collect::<Vec<f64>>(),
-            code: code.as_ref(),
-        };
-        draw(floor_profile("profile", &picture))
     }
 
     /// The profile over the height as CSV.

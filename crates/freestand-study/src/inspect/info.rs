@@ -11,13 +11,11 @@ use freestand::measures::{
 use freestand::motion::Motion;
 use rayon::prelude::*;
 
-use crate::inspect::{Words, record_figure};
 use crate::recorded::{Failed, MotionFiles, name_of, unique};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_output::answer::Answer;
 use freestand_output::facts::{Facts, table};
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_output::{answer, answer_of};
 use freestand_records::formats::{Component, Direction, MotionFile, read_motions};
@@ -57,7 +55,7 @@ pub struct MotionInfo {
     /// What is in it.
     pub contents: Contents,
     /// The motion, where it was kept.
-    motion: Option<Motion>,
+    pub motion: Option<Motion>,
 }
 
 /// Reads the files, on the threads of the current pool; the report does not depend on their number.
@@ -360,30 +358,4 @@ impl InfoReport {
     }
 }
 
-impl MotionInfo {
-    /// The motion as a figure; `None` where it was not kept.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Option<Figure>, FigureError> {
-        let Some(motion) = &self.motion else {
-            return Ok(None);
-        };
-        let Contents {
-            format,
-            component,
-            station,
-            processing,
-            ..
-        } = &self.contents;
-        let station = station
-            .as_ref()
-            .map_or(String::new(), |station| format!(", {station}"));
-        let words = Words {
-            name: &self.name,
-            description: &format!("{format}, component {component}{station}"),
-            processing,
-        };
-        record_figure(words, motion).map(Some)
-    }
-}
+impl MotionInfo {}

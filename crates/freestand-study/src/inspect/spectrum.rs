@@ -6,10 +6,9 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::inspect::{DampedSpectrum, Words, response_spectrum_figure};
+use crate::inspect::DampedSpectrum;
 use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
 use freestand_records::notes::Note;
@@ -161,19 +160,5 @@ impl SpectrumReport {
                 &joined(&|one| vec![one.damping_ratio; self.periods_s.len()]),
             ),
         ])
-    }
-
-    /// The spectra as a figure.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
-        let words = Words {
-            name: &self.name,
-            description: "",
-            processing: &self.processing,
-        };
-        let spectra: Vec<_> = self.all().collect();
-        response_spectrum_figure(words, &self.periods_s, &spectra)
     }
 }

@@ -3,11 +3,8 @@
 
 pub mod cushion_curve;
 pub mod drop_test;
-mod figure;
 pub mod static_curve;
 pub mod virtual_laboratory;
-
-pub use figure::{drop_figures, static_figure};
 
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;

@@ -47,7 +47,8 @@ pub struct StaticRequest {
 /// One test.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StaticReport {
-    pub(super) path: String,
+    /// The file.
+    pub path: String,
     toe: Toe,
     dynamic_stiffness_n_m: Option<f64>,
     impactor: Option<String>,

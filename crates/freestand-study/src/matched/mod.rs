@@ -1,12 +1,9 @@
 //! Motions that fit a spectrum: synthetic ones, and matched records.
 
-mod figure;
-
-pub use figure::{MatchedPicture, matched_figure};
 use freestand::motion::Motion;
 use freestand::synthesis::{
     GENERATOR, MatchedMotion, Misfit, Resemblance, SHORTEST_PERIOD_S, SynthesisError,
-    SynthesisOptions, match_by_wavelets, match_motion, matched_periods_s, synthesize, with_pga,
+    SynthesisOptions, match_by_wavelets, match_motion, synthesize, with_pga,
 };
 use rayon::prelude::*;
 
@@ -15,7 +12,6 @@ use crate::target::Target;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::{number, significant};
 use freestand_output::answer_of;
-use freestand_output::figure::{Figure, FigureError};
 
 /// How the spectrum of a record is matched to the target.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
@@ -119,7 +115,7 @@ pub struct FitReport {
     /// The target.
     pub target: Target,
     /// Seed of synthetic motions.
-    seed: Option<u64>,
+    pub seed: Option<u64>,
     method: MatchMethod,
     /// The motions.
     pub motions: Vec<FittedMotion>,
@@ -232,32 +228,6 @@ pub(crate) fn peak_warning<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Opt
 }
 
 impl FitReport {
-    /// The spectra of the motions and their target.
-    ///
-    /// # Errors
-    /// The error of the plot library.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
-        let made = "Synthetic motions and their target";
-        let target_sa_g: Vec<f64> = matched_periods_s()
-            .iter()
-            .map(|&t| self.target.spectrum.sa_g(t))
-            .collect();
-        matched_figure(&MatchedPicture {
-            title: if self.seed.is_some() {
-                made
-            } else {
-                "A matched record and its target"
-            },
-            target: "the target",
-            target_sa_g: &target_sa_g,
-            motions: &self
-                .motions
-                .iter()
-                .map(|one| &one.motion)
-                .collect::<Vec<_>>(),
-        })
-    }
-
     /// The warnings of the target, and about motions that do not fit it.
     pub fn warnings(&self) -> Vec<String> {
         let percent = |ratio: f64, digits| significant(100.0 * ratio, digits);

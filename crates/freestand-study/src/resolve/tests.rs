@@ -518,7 +518,7 @@ fn a_study_scales_to_a_spectrum_beside_it() {
     std::fs::write(folder.path().join("targets/t.csv"), target).unwrap();
     let text = "[ground]\nmotions = \"a.csv\"\nprocessing = { scale_to_spectrum = \"targets/t.csv, 0 s to 1 s\" }\n";
     let study = resolve(text, Some(Path::new("s.toml")), folder.path()).unwrap();
-    let provenance = crate::report::provenance(&study);
+    let provenance = crate::provenance::provenance(&study);
     let Ground::Recorded(motions) = study.ground else {
         panic!()
     };
@@ -556,7 +556,7 @@ fn a_study_has_the_station_xml_among_its_inputs() {
     for key in ["", "station_xml = \"a.xml\"\n"] {
         let text = format!("[ground]\nmotions = [\"a.mseed\"]\n{key}");
         let study = resolve(&text, Some(Path::new("s.toml")), folder.path()).unwrap();
-        let inputs = crate::report::provenance(&study).inputs;
+        let inputs = crate::provenance::provenance(&study).inputs;
         assert_eq!(
             (inputs.len(), &inputs[1]),
             (2, &("a.xml".to_owned(), sha256.clone()))

@@ -4,11 +4,9 @@ use freestand::G0_M_S2;
 use freestand::damage_boundary::{DamageBoundary, KNEE_RATIO};
 use freestand::impact::Impact;
 
+use super::ShockRequest;
 use super::verdict::boundary;
-use super::{BoundaryTests, ShockRequest};
-use crate::shock_spectrum::{BoundaryPicture, damage_boundary_figure};
 use freestand_output::answer;
-use freestand_output::figure::{Figure, FigureError};
 
 /// A damage boundary and a demand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,13 +14,11 @@ pub struct DamageBoundaryReport {
     /// `test points` of a file, `tests` as stated, or `component` where it follows from a frequency
     /// and a capacity.
     source: &'static str,
-    boundary: DamageBoundary,
+    /// The boundary.
+    pub boundary: DamageBoundary,
     /// Velocity change \[m/s\] and peak \[m/s²\].
-    demand: (f64, f64),
+    pub demand: (f64, f64),
 }
-
-/// Points of the curve up to its knee.
-const CURVE_POINTS: u32 = 200;
 
 answer! {
     /// A damage boundary, with the demand.
@@ -68,38 +64,7 @@ impl DamageBoundaryReport {
     }
 
     /// min(A/A_c, Δv/V_c).
-    fn demand_ratio(&self) -> f64 {
+    pub fn demand_ratio(&self) -> f64 {
         self.boundary.demand_ratio(self.demand.1, self.demand.0)
-    }
-
-    /// Peak against velocity change, with the shocks of a test.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self, tests: Option<&BoundaryTests>) -> Result<Figure, FigureError> {
-        let v_c = self.boundary.velocity_change_m_s();
-        let curve = (1..=CURVE_POINTS).filter_map(|i| {
-            // Close together near V_c, where the curve is steep.
-            let share = (f64::from(i) / f64::from(CURVE_POINTS)).powi(3);
-            let velocity_change_m_s = v_c * (1.0 + (KNEE_RATIO - 1.0) * share);
-            Some((
-                velocity_change_m_s,
-                self.boundary.knee_acceleration_m_s2(velocity_change_m_s)? / G0_M_S2,
-            ))
-        });
-        let points = |damaged: bool| {
-            let points = tests.map_or(&[][..], |tests| &tests.points).iter();
-            let of = points.filter(move |point| point.damaged == damaged);
-            of.map(|point| (point.velocity_change_m_s, point.peak_acceleration_g))
-                .collect()
-        };
-        damage_boundary_figure(&BoundaryPicture {
-            corner: (v_c, self.boundary.acceleration_m_s2() / G0_M_S2),
-            curve: curve.collect(),
-            survived: points(false),
-            damaged: points(true),
-            demand: (self.demand.0, self.demand.1 / G0_M_S2),
-            safe: self.demand_ratio() <= 1.0,
-        })
     }
 }

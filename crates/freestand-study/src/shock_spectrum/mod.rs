@@ -2,9 +2,6 @@
 //!
 //! These are not the paper's "SRS", the shock against the size of the object ([`crate::spectrum`]).
 
-mod figure;
-
-pub use figure::{BoundaryPicture, ShockCurve, damage_boundary_figure, shock_spectrum_figure};
 use freestand::G0_M_S2;
 use freestand::shock_response::{
     HalfSine, Peak, Pulse, PulseShape, ResponseKind, SAMPLES_PER_PERIOD, ShockResponseError,
@@ -18,7 +15,6 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, find_unit};
 use freestand_input::words::{Choices, name_of, number};
 use freestand_output::facts::{Facts, table};
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_output::{answer, answer_of};
 use freestand_records::notes::{Note, NoteKind, grouped};
@@ -134,7 +130,7 @@ pub struct OneShockSpectrum {
     /// absolute acceleration.
     pub enveloping_half_sine: Option<EnvelopingPulse>,
     /// The values in SI.
-    values_si: Vec<f64>,
+    pub values_si: Vec<f64>,
 }
 
 answer_of!(OneShockSpectrum as one {
@@ -211,7 +207,8 @@ pub struct ShockSpectrumReport {
     pub timing: Timing,
     /// What the user should know.
     pub warnings: Vec<String>,
-    response: ResponseKind,
+    /// What a value is.
+    pub response: ResponseKind,
 }
 
 answer_of!(ShockSpectrumReport as report {
@@ -505,38 +502,6 @@ impl ShockSpectrumReport {
                         )
                 })
         }))
-    }
-
-    /// The spectra as a figure.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
-        // Several inputs may be in several units: the figure is in g, m or m/s.
-        let (factor, label) = match self.response {
-            ResponseKind::AbsoluteAcceleration => (1.0 / G0_M_S2, "Absolute acceleration (g)"),
-            ResponseKind::RelativeDisplacement => (1.0, "Relative displacement (m)"),
-            ResponseKind::PseudoVelocity => (1.0, "Pseudo-velocity (m/s)"),
-        };
-        let curves: Vec<ShockCurve> = self
-            .spectra
-            .iter()
-            .map(|one| ShockCurve {
-                name: one.name.clone(),
-                points: one
-                    .frequencies_hz
-                    .iter()
-                    .copied()
-                    .zip(one.values_si.iter().map(|v| factor * v))
-                    .collect(),
-            })
-            .collect();
-        let title = format!(
-            "Shock response spectrum, {}, damping {} %",
-            self.peak,
-            number(100.0 * self.damping_ratio, 4)
-        );
-        shock_spectrum_figure(&title, label, &curves)
     }
 }
 

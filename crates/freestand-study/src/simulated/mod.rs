@@ -450,7 +450,7 @@ answer_of!(
 });
 
 /// The same parameters in words, for a report.
-pub(crate) fn source_words(source: &PointSource) -> String {
+pub fn source_words(source: &PointSource) -> String {
     let near_the_surface = match source.high_cut {
         HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 4)),
         HighCut::MaximumFrequency { frequency_hz } => {
@@ -489,7 +489,7 @@ pub(crate) fn source_words(source: &PointSource) -> String {
 
 impl SimulatedRequest {
     /// A source with the parameters that all its earthquakes share.
-    pub(crate) fn any_source(&self) -> PointSource {
+    pub fn any_source(&self) -> PointSource {
         // No parameter but its own depends on the magnitude or the distance.
         changed(self.preset.source(6.0, 30e3), &self.changes)
     }

@@ -1,6 +1,5 @@
 //! One history of an object in three dimensions, or of a stack of two: request → report.
 
-mod figure;
 mod wall;
 
 use freestand::compliant::CompliantEffort;
@@ -21,7 +20,6 @@ use freestand_input::words::Choices;
 use freestand_output::answer;
 use freestand_records::horizontal::HorizontalMotion;
 
-pub use figure::{spatial_figure, stack_figure};
 pub use wall::{CushionWallAnswer, walls_on_cushions};
 
 use crate::compliant::{damped, energy_warning, ringing_warning};

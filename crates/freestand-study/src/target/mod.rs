@@ -1,8 +1,5 @@
 //! The hazard target: from the words of flags and studies to a [`CodeSpectrum`].
 
-mod figure;
-
-pub use figure::code_spectrum_figure;
 mod code;
 mod codes;
 mod parts;
@@ -164,7 +161,7 @@ impl Target {
     }
 
     /// The facts for reports, each as a name and a value.
-    pub(crate) fn fact_rows(&self) -> Vec<(&str, String)> {
+    pub fn fact_rows(&self) -> Vec<(&str, String)> {
         self.facts
             .iter()
             .map(|(name, value)| (name.as_str(), value.clone()))

@@ -65,7 +65,7 @@ pub struct CodeSpectrumReport {
     pub vertical_sa_g: Option<Vec<f64>>,
     pub parts: Option<PartsReport>,
     /// The values at the corners \[g\].
-    pub(super) corners_g: Vec<f64>,
+    pub corners_g: Vec<f64>,
 }
 
 answer_of!(CodeSpectrumReport as report {

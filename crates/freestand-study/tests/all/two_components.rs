@@ -10,10 +10,10 @@ use std::path::Path;
 
 use freestand::motion::Motion;
 use freestand_records::formats::{write_csv, write_pair_csv};
+use freestand_report::study::tables::srs_table;
 use freestand_study::resolve::resolve;
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::run::{no_progress, run};
-use freestand_study::tables::srs_table;
 
 const OBJECTS: &str =
     "[objects]\nheights = \"1 m, 1.5 m, 2 m\"\nthicknesses = \"300 mm, 500 mm\"\n";

@@ -8,12 +8,12 @@ use std::path::Path;
 use freestand::oscillator::response_spectrum;
 use freestand::rocking::{Base, RockingOptions, Until, rock};
 use freestand_output::folder::OutputFolder;
-use freestand_study::outputs::write_outputs;
+use freestand_report::study::outputs::write_outputs;
+use freestand_report::study::tables::{srs_table, urs_table};
 use freestand_study::resolve::{Overrides, load, resolve};
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::run::{LONGEST_TAIL_S, no_progress, run};
 use freestand_study::study::Study;
-use freestand_study::tables::{srs_table, urs_table};
 
 const REST: &str = "[building]\nstoreys = 8\nlevels = [0.0, 1.0]\nvertical_amplification = 1.5\n[objects]\nheights = \
                     \"1.5 m, 2 m\"\nthicknesses = \"0.3 m, 0.5 m\"\n[outputs]\nfigures = false\nreport = false\n";

@@ -4,7 +4,7 @@ use clap::Args;
 use freestand::identify::DropTest;
 use freestand_app::drop_test::{DropTests, SCHEMA};
 use freestand_report::cushion::drops_text;
-use freestand_study::laboratory::drop_figures;
+use freestand_report::figures::drop_figures;
 use freestand_study::laboratory::drop_test::{DropRequest, cushion_toml, drop_tests, loop_table};
 use serde::Serialize;
 

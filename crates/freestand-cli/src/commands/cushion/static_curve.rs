@@ -3,8 +3,8 @@
 use clap::Args;
 use freestand_app::static_test::{SCHEMA, StaticTests};
 use freestand_report::cushion::statics_text;
+use freestand_report::figures::static_figure;
 use freestand_study::laboratory::static_curve::{StaticRequest, curve_table, static_tests};
-use freestand_study::laboratory::static_figure;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

@@ -3,8 +3,8 @@
 
 use clap::Args;
 use freestand_app::code_spectrum::{CodeSpectrum, Meant, SCHEMA};
+use freestand_report::figures::code_spectrum_figure;
 use freestand_report::motion::code_spectrum_text;
-use freestand_study::target::code_spectrum_figure;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};

@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::motion::{INFO, Meant, MotionInfo};
 use freestand_output::figure::Figure;
+use freestand_report::figures::info_figure;
 use freestand_report::motion::measures_text;
 use freestand_study::inspect::{InfoReport, InfoRequest, info};
 use rayon::prelude::*;
@@ -72,7 +73,7 @@ fn figures(report: &InfoReport) -> Result<Vec<(String, Figure)>, Failure> {
         .motions
         .par_iter()
         .filter_map(|one| {
-            one.figure()
+            info_figure(one)
                 .map(|figure| figure.map(|figure| (one.name.clone(), figure)))
                 .transpose()
         })

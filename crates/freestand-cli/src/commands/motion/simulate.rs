@@ -6,9 +6,8 @@ use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_app::simulate::{Meant, SCHEMA, Simulate};
 use freestand_records::formats::write_csv;
+use freestand_report::figures::{MatchedPicture, Words, matched_figure, record_figure};
 use freestand_report::motion::earthquakes_text;
-use freestand_study::inspect::{Words, record_figure};
-use freestand_study::matched::{MatchedPicture, matched_figure};
 use freestand_study::simulated::{SimulatedReport, simulate};
 
 use crate::args::GlobalArgs;

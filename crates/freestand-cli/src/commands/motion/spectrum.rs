@@ -2,6 +2,7 @@
 
 use clap::Args;
 use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM, SpectrumAnswer};
+use freestand_report::figures::spectrum_figure;
 use freestand_report::motion::response_text;
 use freestand_study::inspect::spectrum;
 
@@ -41,7 +42,7 @@ impl Tell for MotionSpectrum {
         files.table("spectrum", || report.table())?;
         let mut plots = Vec::new();
         if let Some(target) = target {
-            let figure = report.figure()?;
+            let figure = spectrum_figure(&report)?;
             let figures = vec![(figure.name.clone(), figure)];
             plots = place(&target, figures, &files, &inputs)?;
         }

@@ -4,8 +4,8 @@ use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
 use freestand_records::formats::write_csv;
+use freestand_report::figures::{Words, fit_figure, record_figure};
 use freestand_report::motion::fits_text;
-use freestand_study::inspect::{Words, record_figure};
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
 
 use crate::args::GlobalArgs;
@@ -75,7 +75,7 @@ fn finish(
     for one in &mut report.motions {
         one.path = files.write(&format!("{}.csv", one.name), || write_csv(&one.motion))?;
     }
-    files.figure("target", || report.figure())?;
+    files.figure("target", || fit_figure(&report))?;
     if let Some(FittedMotion { name, motion, .. }) = report.motions.first() {
         let words = Words {
             name,

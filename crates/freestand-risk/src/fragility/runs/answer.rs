@@ -9,10 +9,10 @@ use super::super::answer::OfObject;
 use super::super::hazard::MeasuredHazard;
 use super::super::quality::Quality;
 use super::super::{FragilityReport, ObjectFragility};
-use super::METHODS;
 use super::levels::Added;
-use super::report::{LeftOut, OfStudy, RunsReport};
+use super::report::{LeftOut, RunsReport};
 use super::shaking::FloorShaking;
+use super::{METHODS, StudyTold};
 
 impl RunsReport {
     /// The scales that were asked for, or chosen before a hazard asked for more.
@@ -49,8 +49,8 @@ impl RunsReport {
         measures
     }
 
-    fn of_study<T>(&self, value: impl FnOnce(&OfStudy) -> T) -> Option<T> {
-        self.study.as_ref().map(value)
+    fn of_study<T>(&self, value: impl FnOnce(&StudyTold) -> T) -> Option<T> {
+        self.study.as_deref().map(value)
     }
 }
 
@@ -77,10 +77,10 @@ answer_of!(RunsReport as runs {
     no_study: Option<String> = runs.no_study().cloned();
     /// What nobody stated.
     assumptions: Option<Vec<String>> = runs.of_study(|study| study.assumed.clone());
-    place_is_assumed: Option<bool> = runs.of_study(|study| study.said.place_is_assumed);
-    building_is_assumed: Option<bool> = runs.of_study(|study| study.said.building_is_assumed);
-    place_name: Option<String> = runs.study.as_ref().and_then(|study| study.said.place_name.clone());
-    building_name: Option<String> = runs.study.as_ref().and_then(|study| study.said.building_name.clone());
+    place_is_assumed: Option<bool> = runs.of_study(|study| study.place_is_assumed);
+    building_is_assumed: Option<bool> = runs.of_study(|study| study.building_is_assumed);
+    place_name: Option<String> = runs.study.as_ref().and_then(|study| study.place_name.clone());
+    building_name: Option<String> = runs.study.as_ref().and_then(|study| study.building_name.clone());
     /// The hazard in words.
     hazard: Option<String> = runs.study.as_ref().and_then(|study| study.hazard.clone());
     /// The building in words.

@@ -13,7 +13,9 @@ use super::super::{FRAGILITY_SCHEMA, FitMethod};
 use super::follow::Followed;
 use super::levels::ROUNDS;
 use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
-use freestand_assess::job::{PROGRESS, Part, Store, progress_names, resume_key};
+use freestand_assess::key::resume_key;
+use freestand_assess::portfolio::progress_names;
+use freestand_assess::store::{PROGRESS, Part, Store};
 use freestand_assess::verdict::NominalRun;
 use freestand_input::words::name_of;
 
@@ -54,6 +56,7 @@ pub(super) fn open(
             inventory,
             worlds,
             changed,
+            ..
         },
     ) = (&request.keep, &request.objects)
     else {

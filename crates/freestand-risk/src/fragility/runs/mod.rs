@@ -37,11 +37,11 @@ use super::outcomes::OutcomeTable;
 use super::{FitMethod, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates, fitted};
 use changed::changed_item;
 use follow::{Followed, GoOn};
-use freestand_assess::job::Store;
+use freestand_assess::store::Store;
 use freestand_assess::verdict::Nominal;
 use freestand_inventory::Item;
 use levels::Added;
-use report::{LeftOut, OfStudy};
+use report::LeftOut;
 use request::{DOUBTFUL_SCALE, MAX_MEASURES};
 use shaking::{FloorShaking, RatioFactors};
 
@@ -50,7 +50,7 @@ pub use figures::{ida_figure, measures_figure, residuals_figure};
 pub use report::RunsReport;
 pub use request::{
     DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects,
-    RunsRequest, measures, scales,
+    RunsRequest, StudyTold, measures, scales,
 };
 pub use shaking::{DEFAULT_WORLDS, FloorMotion};
 pub use table::file_name;
@@ -336,7 +336,10 @@ fn fit(
             .collect(),
         added,
         seed: request.seed,
-        study: OfStudy::of(&request.objects),
+        study: match &request.objects {
+            RunObjects::Listed { told, .. } => Some(told.clone()),
+            RunObjects::Given(_) => None,
+        },
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
         super::go_on(progress)?;
@@ -595,6 +598,7 @@ fn prepare(
             inventory,
             worlds,
             changed,
+            ..
         } => {
             let mut levels_ratio: Vec<f64> = Vec::new();
             let (mut objects, mut left_out) = (Vec::new(), Vec::new());

@@ -10,13 +10,13 @@ use freestand_output::answer::Answer;
 use freestand_output::facts::{Facts, table as of_rows};
 use freestand_output::table::Table;
 
+use std::sync::Arc;
+
 use super::super::{FitMethod, FragilityReport};
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::FloorShaking;
-use super::{METHODS, Method, ObjectRuns, RunObjects, follow};
-use freestand_assess::job::{JobReport, said};
-use freestand_assess::output::head;
+use super::{METHODS, Method, ObjectRuns, StudyTold, follow};
 
 /// Fragilities from runs.
 #[derive(Debug)]
@@ -41,7 +41,7 @@ pub struct RunsReport {
     /// Seed of the bootstrap.
     pub(super) seed: u64,
     /// Whose building and hazard this is; `None`: the motions were given.
-    pub(super) study: Option<OfStudy>,
+    pub(super) study: Option<Arc<StudyTold>>,
 }
 
 answer! {
@@ -53,35 +53,6 @@ answer! {
     }
 }
 
-/// What a document says about the study of its runs, and about their list.
-#[derive(Debug)]
-pub(super) struct OfStudy {
-    pub(super) said: JobReport,
-    pub(super) hazard: Option<String>,
-    pub(super) building: String,
-    /// What nobody stated of the place and the building, and of the objects.
-    pub(super) assumed: Vec<String>,
-    pub(super) toml: String,
-}
-
-impl OfStudy {
-    pub(super) fn of(objects: &RunObjects) -> Option<Self> {
-        let RunObjects::Listed {
-            study, inventory, ..
-        } = objects
-        else {
-            return None;
-        };
-        Some(Self {
-            said: said(study, &head::head(study, inventory)),
-            hazard: head::hazard(study),
-            building: head::building(study),
-            assumed: head::silent(study, inventory),
-            toml: study.toml.clone(),
-        })
-    }
-}
-
 /// How many objects that were left out are named.
 const NAMED_LEFT_OUT: usize = 3;
 
@@ -90,7 +61,7 @@ impl RunsReport {
         let mut warnings = self
             .study
             .as_ref()
-            .map_or_else(Vec::new, |study| study.said.all_warnings());
+            .map_or_else(Vec::new, |study| study.warnings.clone());
         if !self.left_out.is_empty() {
             let named: Vec<String> = self
                 .left_out
@@ -199,7 +170,7 @@ impl RunsReport {
 
     /// The sentence that says whose building this is, where no study was given.
     pub fn no_study(&self) -> Option<&String> {
-        self.study.as_ref()?.said.no_study.as_ref()
+        self.study.as_ref()?.no_study.as_ref()
     }
 
     /// The report by the first measure, for other programs.
@@ -217,13 +188,14 @@ impl RunsReport {
             .sum();
         let motions = self.floors.first().map_or(0, Vec::len);
         let mut text = String::new();
-        if let Some(OfStudy { said, .. }) = &self.study {
+        if let Some(study) = &self.study {
             text.extend(
-                said.no_study
+                study
+                    .no_study
                     .iter()
                     .map(|sentence| format!("{sentence}\n\n")),
             );
-            text.push_str(&format!("{}\n\n", said.place));
+            text.push_str(&format!("{}\n\n", study.place));
         }
         text.push_str(&format!(
             "{} of {} under {} ({})",

@@ -102,18 +102,20 @@ pub(super) enum VelocitySource {
 /// One drop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropReport {
-    pub(super) path: String,
+    /// The file.
+    pub path: String,
     /// Which drop of its file, from 1.
     pub drop: usize,
     /// Time of its pulse from the first sample of the file \[s\].
     start_time_s: Option<f64>,
-    pub(super) mass_kg: f64,
+    /// Mass that landed \[kg\].
+    pub mass_kg: f64,
     velocity_source: VelocitySource,
     pub(super) impactor: Option<String>,
     pub(super) sphere_radius_m: Option<f64>,
     pub(super) boundary: Option<String>,
     /// Gravity that acts during the contact \[m/s²\].
-    pub(super) gravity_m_s2: f64,
+    pub gravity_m_s2: f64,
     /// The evaluation of its pulse.
     pub test: DropTest,
 }

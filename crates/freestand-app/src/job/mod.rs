@@ -1,0 +1,396 @@
+//! A whole assessment, from an inventory to a folder of results. It can be stopped or killed at any
+//! moment and resumed.
+
+mod shards;
+
+pub use shards::{
+    Merged, PLAN_SCHEMA, PlanRequest, SHARD_SCHEMA, ShardReport, check_shards, merge_shards,
+    plan_shards, run_shard,
+};
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+use freestand_assess::key::resume_key;
+use freestand_assess::portfolio::{Finished, Portfolio, assess, progress_names, shake};
+use freestand_assess::result::{Assessment, Decision};
+use freestand_assess::store::{PROGRESS, Part, Store, part_size};
+use freestand_input::file::InputFile;
+use freestand_input::problem::{Problem, Problems};
+use freestand_inventory::{Inventory, Item};
+use freestand_output::answer::ByName;
+use freestand_output::folder::{MANIFEST, OutputFolder, announce};
+use freestand_output::json::document;
+use freestand_output::paths::io_problem;
+use freestand_report::assessment::{
+    Head, JobReport, JsonRows, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head,
+    outcomes_head, outcomes_rows, said, write_all, write_worlds,
+};
+use freestand_study::resolve::motion_paths;
+use freestand_study::run::{Progress, Stage, Step};
+use freestand_study::study::Study;
+use serde_json::{Map, Value, json};
+
+/// Schema of `manifest.json` and of the document of `freestand assess`.
+pub const SCHEMA: &str = "freestand.assess/1";
+
+/// The files of a job, including optional ones.
+const OUTPUTS: [&str; 8] = [
+    "objects.csv",
+    "objects.parquet",
+    WORKLIST_NAME,
+    WORLDS_NAME,
+    OUTCOMES_NAME,
+    "report.html",
+    "assessment.xlsx",
+    MANIFEST,
+];
+
+/// Called with the row of each object when it is finished, as it will be in `objects.csv`; its rank is
+/// that among the objects which were told before it.
+pub type TellRow<'a> = &'a dyn Fn(&Map<String, Value>);
+
+/// Settings of a job.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Job {
+    /// Use the finished parts of an earlier run.
+    pub resume: bool,
+    /// Write into a folder even if it holds other files.
+    pub force: bool,
+    /// Write `objects.parquet` too.
+    pub parquet: bool,
+    /// Write `outcomes.csv` too: every object in every world.
+    pub outcomes: bool,
+    /// Objects that are assessed and stored together, and lost where a run is stopped amid them, if
+    /// fewer than usual. Somebody who watches wants few.
+    pub part_rows: Option<usize>,
+}
+
+/// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the
+/// current thread pool.
+///
+/// Finished parts are in `progress/` of the folder until the run is complete. A run that was
+/// stopped leaves them next to valid outputs of the finished objects; one that was killed leaves
+/// only the parts. With [`Job::resume`] a run continues either and writes the same bytes as a run
+/// that was not interrupted.
+///
+/// # Errors
+/// A motion that cannot be generated, or a folder that cannot be written or was not written by
+/// freestand.
+pub fn assess_into(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+    progress: Progress,
+) -> Result<JobReport, Problems> {
+    assess_telling(study, inventory, target, job, (progress, None))
+}
+
+/// As [`assess_into`], but reports each object when it is finished, for a user who watches.
+///
+/// # Errors
+/// As [`assess_into`].
+pub fn assess_telling(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+    (progress, tell): (Progress, Option<TellRow>),
+) -> Result<JobReport, Problems> {
+    let size = job.part_rows.map_or_else(
+        || part_size(study, inventory),
+        |rows| rows.clamp(1, part_size(study, inventory)),
+    );
+    let key = resume_key(study, inventory, size);
+    let head = head(study, inventory);
+    if job.resume
+        && let Some(report) = finished(target, &key, (study, inventory), job, &head)
+    {
+        return Ok(report);
+    }
+    let parts = Part::of_run(inventory.items.len(), size);
+    let names = progress_names(&parts);
+    announce(target, job.force, SCHEMA, &names)?;
+    let folder = staged(study, inventory, target, job)?;
+    let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
+    let rows = tell.map(|tell| (JsonRows::new(inventory), tell));
+    let told = |item: &Item, rank: usize, found: &Assessment| {
+        if let Some((rows, tell)) = &rows {
+            tell(&rows.row(item, rank, found));
+        }
+    };
+    let finished: Option<Finished> = rows.is_some().then_some(&told);
+    let portfolio = assess(
+        study,
+        inventory,
+        (store, parts),
+        (job.outcomes.then_some(outcomes_rows), None),
+        (progress, finished),
+    )?;
+    let run = Run {
+        study,
+        inventory,
+        head: &head,
+        job,
+        key: &key,
+        motions: None,
+    };
+    written(&run, (target, folder), portfolio, progress)
+}
+
+/// The folder for the outputs, which are checked to have a place in it.
+fn staged(
+    study: &Study,
+    inventory: &Inventory,
+    target: &Path,
+    job: &Job,
+) -> Result<OutputFolder, Problem> {
+    let inputs = study
+        .source
+        .iter()
+        .cloned()
+        .chain(motion_paths(study))
+        .chain([inventory.path.clone()]);
+    let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
+    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?
+        .of_command(SCHEMA)?;
+    folder.check(&OUTPUTS.map(str::to_owned))?;
+    Ok(folder)
+}
+
+/// What the outputs of a run are made from, besides its results.
+struct Run<'r> {
+    study: &'r Study,
+    inventory: &'r Inventory,
+    head: &'r Head,
+    job: &'r Job,
+    key: &'r str,
+    /// Where the ground motions of worlds are kept, in a merge: one that is stopped is repeated, not
+    /// resumed.
+    motions: Option<&'r Path>,
+}
+
+/// Writes the outputs of a finished or interrupted run.
+fn written(
+    run: &Run,
+    (target, folder): (&Path, OutputFolder),
+    mut portfolio: Portfolio,
+    progress: Progress,
+) -> Result<JobReport, Problems> {
+    let Run {
+        study,
+        inventory,
+        head,
+        job,
+        key,
+        motions,
+    } = *run;
+    let settings = &study.assessment;
+    let wanted = Wanted {
+        parquet: job.parquet,
+        workbook: true,
+        report: true,
+        pages: settings.pages,
+    };
+    let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
+    if job.outcomes {
+        let mut file = folder.begin(OUTCOMES_NAME)?;
+        file.write(&outcomes_head()?)?;
+        for rows in portfolio.outcomes() {
+            file.write(&rows?)?;
+        }
+        file.finish()?;
+    }
+    if !portfolio.interrupted {
+        match worlds_into(&folder, (study, motions), &mut portfolio, progress) {
+            Err(error) if error.is_stopped() && motions.is_none() => portfolio.interrupted = true,
+            written => written?,
+        }
+    }
+    if portfolio.interrupted {
+        portfolio.keep_in(&folder)?;
+    }
+    let mut report = report(&portfolio, study, inventory, head, target);
+    report.first = first;
+    report.files = folder.names()?;
+    report.files.push(MANIFEST.to_owned());
+    report.files.sort_unstable();
+    folder.write(
+        MANIFEST,
+        manifest(study, inventory, &report, key)?.as_bytes(),
+    )?;
+    report.removed = folder.commit()?.removed;
+    report.files.retain(|name| !name.starts_with(PROGRESS));
+    Ok(report)
+}
+
+/// Writes `worlds.csv`, with the worlds made anew where an earlier run assessed every object. A run
+/// that was stopped has none: whoever stops a run does not wait for its motions.
+fn worlds_into(
+    folder: &OutputFolder,
+    (study, motions): (&Study, Option<&Path>),
+    portfolio: &mut Portfolio,
+    progress: Progress,
+) -> Result<(), Problems> {
+    let lived = &portfolio.lived;
+    let worlds = match portfolio.worlds.take() {
+        Some(worlds) => worlds,
+        None => shake(study, motions, progress)?,
+    };
+    let total = lived.worlds as usize;
+    let go_on = |done: u32| match progress(Step {
+        stage: Some(Stage::FloorMotions),
+        done: done as usize,
+        total,
+    }) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(Problem::stopped().into()),
+    };
+    let written = write_worlds(folder, study, &worlds, lived, go_on);
+    if written.as_ref().is_err_and(Problems::is_stopped) {
+        // A part of the table must not pass for the whole.
+        let path = folder.path_of(WORLDS_NAME)?;
+        std::fs::remove_file(&path)
+            .map_err(|error| io_problem(&path, "cannot remove an unfinished file", &error))?;
+    }
+    written
+}
+
+fn report(
+    portfolio: &Portfolio,
+    study: &Study,
+    inventory: &Inventory,
+    head: &Head,
+    target: &Path,
+) -> JobReport {
+    JobReport {
+        objects: inventory.items.len(),
+        resumed: portfolio.resumed,
+        computed: portfolio.computed,
+        interrupted: portfolio.interrupted,
+        decisions: ByName(
+            Decision::ALL
+                .map(Decision::name)
+                .into_iter()
+                .zip(portfolio.decisions)
+                .collect(),
+        ),
+        tiers: portfolio.tiers,
+        failed: portfolio.failed,
+        histories: portfolio.histories,
+        out: target.display().to_string(),
+        files: Vec::new(),
+        removed: Vec::new(),
+        only_falling: portfolio.only_falling,
+        first: Vec::new(),
+        ..said(study, head)
+    }
+}
+
+/// All inputs, and what outputs depend on besides the results.
+fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
+    let recorded: Vec<_> = study
+        .ground
+        .recorded(&study.levels)
+        .map(|motion| json!({"name": motion.name, "sha256": motion.sha256}))
+        .collect();
+    json!({
+        "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
+        "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
+        "study": study.toml,
+        "records": recorded,
+        "motion_seed": study.ground.seed(),
+        "draw_seed": study.assessment.seed,
+        "pages": study.assessment.pages,
+    })
+}
+
+/// Nothing here depends on how the run went: the same inputs give the same bytes, however often it
+/// was stopped.
+fn manifest(
+    study: &Study,
+    inventory: &Inventory,
+    report: &JobReport,
+    key: &str,
+) -> Result<String, Problem> {
+    let body = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "key": key,
+        "complete": !report.interrupted,
+        "objects": report.objects,
+        "assessed": report.resumed + report.computed,
+        "decisions": report.decisions,
+        "tiers": report.tiers,
+        "failed": report.failed,
+        "only_falling": report.only_falling,
+        "first": report.first,
+        "inputs": inputs(study, inventory),
+        "files": report.files,
+    });
+    document(SCHEMA, &body, &report.all_warnings())
+}
+
+fn input(file: &InputFile) -> serde_json::Value {
+    json!({"name": file_name(&file.path), "sha256": file.sha256})
+}
+
+fn file_name(path: &Path) -> Option<String> {
+    path.file_name()
+        .map(|name| name.to_string_lossy().into_owned())
+}
+
+/// The report of a folder that is complete already; `None` where something is left to do.
+fn finished(
+    target: &Path,
+    key: &str,
+    (study, inventory): (&Study, &Inventory),
+    job: &Job,
+    head: &Head,
+) -> Option<JobReport> {
+    let manifest: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(target.join(MANIFEST)).ok()?).ok()?;
+    let has = |name: &str, value: serde_json::Value| {
+        manifest.get(name).is_some_and(|found| *found == value)
+    };
+    if !(has("schema", json!(SCHEMA))
+        && has("key", json!(key))
+        && has("complete", json!(true))
+        && has("inputs", inputs(study, inventory)))
+    {
+        return None;
+    }
+    let files: Vec<String> = serde_json::from_value(manifest.get("files")?.clone()).ok()?;
+    let is_there = |name: &str| target.join(name).is_file();
+    let wanted = [
+        (job.parquet, "objects.parquet"),
+        (job.outcomes, OUTCOMES_NAME),
+    ];
+    let has_all = wanted
+        .iter()
+        .all(|(is_wanted, name)| !is_wanted || files.iter().any(|file| file == name));
+    if !files.iter().all(|name| is_there(name)) || !has_all {
+        return None;
+    }
+    let decided = |one: &Decision| {
+        let objects = manifest.get("decisions")?.get(one.name())?;
+        Some((one.name(), serde_json::from_value(objects.clone()).ok()?))
+    };
+    let decisions: Option<Vec<(&'static str, usize)>> = Decision::ALL.iter().map(decided).collect();
+    Some(JobReport {
+        objects: inventory.items.len(),
+        resumed: inventory.items.len(),
+        computed: 0,
+        interrupted: false,
+        decisions: ByName(decisions?),
+        tiers: serde_json::from_value(manifest.get("tiers")?.clone()).ok()?,
+        failed: serde_json::from_value(manifest.get("failed")?.clone()).ok()?,
+        histories: 0,
+        out: target.display().to_string(),
+        files,
+        removed: Vec::new(),
+        only_falling: serde_json::from_value(manifest.get("only_falling")?.clone()).ok()?,
+        first: serde_json::from_value(manifest.get("first")?.clone()).ok()?,
+        ..said(study, head)
+    })
+}

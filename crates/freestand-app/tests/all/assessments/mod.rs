@@ -1,0 +1,9 @@
+//! Lists and single objects from end to end, one module for each subject.
+
+mod around;
+mod assess;
+mod doubt;
+mod one_object;
+mod shards;
+mod space;
+mod worlds;

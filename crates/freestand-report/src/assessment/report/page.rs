@@ -1,0 +1,741 @@
+//! The page of one object. What a reader decides by comes first and is compact, so that a long list
+//! prints on few sheets; how it was calculated follows, folded.
+
+use std::fmt::Write;
+
+use crate::assessment::overview::place;
+use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
+use freestand_assess::result::{
+    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, RestraintKind,
+    Shares,
+};
+use freestand_input::words::{counted, fixed, number, percent};
+use freestand_inventory::{Inventory, Item};
+use freestand_output::html::{
+    Cell, classed_table, figure, heading, markup, paragraph, table, words as text,
+};
+use freestand_study::cushion::cushion_words;
+
+use super::drawing::sketch;
+use super::equations::equations;
+use super::summary::{badge, kilonewtons};
+use super::{anchor, name, words};
+
+/// The page of one object.
+pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Assessment) -> String {
+    let mut html = format!("<section class=\"object\" id=\"{}\">\n", anchor(rank));
+    let _ = writeln!(
+        html,
+        "<div class=\"name\">\n<p class=\"up\"><a href=\"#first\">Rank {rank}</a></p>\n\
+         <h2>{} <span class=\"what\">{}</span></h2>\n</div>",
+        name(&item.id),
+        name(&item.item)
+    );
+    let _ = writeln!(
+        html,
+        "<div class=\"verdict {}\">{} <span>{}</span></div>",
+        found.decision.name(),
+        badge(found.decision),
+        words(&found.why)
+    );
+    html.push_str("<div class=\"two\">\n");
+    html.push_str(&pairs(&verdict_figures(item, found)));
+    html.push_str(&pairs(&object_figures(item, found)));
+    html.push_str(&sketch(item));
+    html.push_str("</div>\n");
+    html.push_str(&response(found));
+    html.push_str(&what_to_do(found));
+    html.push_str(&notes(found));
+    html.push_str("<details>\n<summary>How it was calculated</summary>\n");
+    html.push_str(&calculation(inventory, item, found));
+    html.push_str("</details>\n</section>\n");
+    html
+}
+
+/// Names and values; empty ones are left out.
+fn pairs(rows: &[(&str, String)]) -> String {
+    let rows: Vec<Vec<Cell>> = rows
+        .iter()
+        .filter(|(_, value)| !value.is_empty())
+        .map(|(key, value)| vec![text(key), markup(words(value), "")])
+        .collect();
+    classed_table("pairs", "", &[], &rows)
+}
+
+/// The numbers on which the verdict is based.
+fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
+    let known = |p: bool, said: String| if p { said } else { String::new() };
+    let model = if found.decides_on_pads() {
+        "on its pads"
+    } else {
+        "on a rigid base"
+    };
+    let worlds = found.answers.as_ref().map_or_else(String::new, |answers| {
+        format!(
+            "{} of at most {}",
+            counted(answers.worlds as usize, "world"),
+            answers.worlds_cap
+        )
+    });
+    let by = match (found.model, found.tier) {
+        (Some(ObjectModel::Roll), _) => "the model on casters",
+        (Some(ObjectModel::Slide), _) => "the model of sliding",
+        (Some(ObjectModel::Spatial), _) => "the model in three dimensions, on its pads",
+        (Some(ObjectModel::Stack), _) => "the model of a stack, on its pads",
+        (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
+        (_, by) => tier(by),
+    };
+    let decided = match by {
+        "" => worlds,
+        by if worlds.is_empty() => by.to_owned(),
+        by => format!("{by}; {worlds}"),
+    };
+    let shock = found
+        .edge_acceleration_g_median()
+        .map_or_else(String::new, |shock| ranked(shock, "g"));
+    let mut rows = vec![
+        (
+            "Falls over",
+            known(found.p_overturn.is_some(), falls(found)),
+        ),
+        (
+            "Tolerance exceeded",
+            known(found.p_exceed.is_some(), exceeded(found)),
+        ),
+        (
+            "Accepted",
+            format!(
+                "{} ({})",
+                percent(found.accepted_ratio, 0),
+                found.accepted_for.name()
+            ),
+        ),
+        ("Demand/capacity", margin(found)),
+        ("Median shock", shock),
+        (
+            "These two are",
+            known(
+                found.answers.is_some() && found.shock.is_some(),
+                model.to_owned(),
+            ),
+        ),
+        ("Model", model_words(found)),
+        ("Calculated with", decided),
+    ];
+    if let Some(space) = &found.in_space {
+        let degrees = |tilt: Ranked| match tilt {
+            Ranked::Value(tilt_rad) => format!("{}°", number(tilt_rad.to_degrees(), 2)),
+            Ranked::Overturned | Ranked::NoData => ranked(tilt, "rad"),
+        };
+        let milli = |walk: Ranked| ranked_milli(walk, "mm");
+        let both = |median: String, p84: String| format!("median {median}, 84 % {p84}");
+        rows.push((
+            "Tilt",
+            both(degrees(space.tilt_rad_median), degrees(space.tilt_rad_p84)),
+        ));
+        rows.push((
+            "Walk of its base",
+            both(milli(space.walk_m_median), milli(space.walk_m_p84)),
+        ));
+    }
+    if let Some(stacked) = &found.stacked {
+        let falls = format!(
+            "{} of {} worlds; the object itself: {}",
+            stacked.upper_falls, stacked.worlds, stacked.lower_falls
+        );
+        rows.push(("What stands on it falls first", falls));
+        rows.push((
+            "It rocks alone from",
+            format!("{} g", number(stacked.threshold_upper_g, 3)),
+        ));
+        rows.push((
+            "Both rock together from",
+            format!("{} g", number(stacked.threshold_together_g, 3)),
+        ));
+    }
+    match (&found.capacity, &item.tolerance) {
+        (Some(capacity), _) => {
+            let recalled = if capacity.decides {
+                ""
+            } else {
+                "; recalled without a source, so no verdict depends on it"
+            };
+            rows.push(("Governing criterion", capacity.governing.name().to_owned()));
+            rows.push(("Tolerance", capacity.tolerance.clone()));
+            rows.push(("Its source", format!("{}{recalled}", capacity.source)));
+        }
+        (None, Some(tolerance)) => rows.push(("Source of the tolerance", tolerance.source.clone())),
+        (None, None) => rows.push(("Tolerance", "not given".to_owned())),
+    }
+    rows
+}
+
+/// The model of the object, and why it is this one.
+fn model_words(found: &Assessment) -> String {
+    let why = match found.model {
+        None => return String::new(),
+        Some(ObjectModel::Rock) => {
+            "it stands freely; mass or pads are not given, or the study does not follow them"
+        }
+        Some(ObjectModel::RockWall) => "it stands beside a wall or neighbours",
+        Some(ObjectModel::Roll) => "its casters are free, so it does not rock",
+        Some(ObjectModel::Slide) => {
+            "its friction is at most half its base over the height of its centre of gravity, so it slides and does not rock"
+        }
+        Some(ObjectModel::Compliant) => "it stands freely, and mass and pads are given",
+        Some(ObjectModel::Spatial) => {
+            "the study asks for three dimensions, and mass, pads and width are given"
+        }
+        Some(ObjectModel::Stack) => "another object stands on it",
+    };
+    format!("{}: {why}", found.model.map_or("", ObjectModel::name))
+}
+
+/// What the object is, and where it is.
+fn object_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String)> {
+    let mut rows = vec![
+        ("Place", place(item)),
+        ("Quantity", item.quantity.to_string()),
+        ("Consequences", consequences(item)),
+    ];
+    if let Some(floor) = &found.floor {
+        rows.push(("Level", fixed(floor.level_ratio, 2)));
+        let (median, most) = (number(floor.pfa_g_median, 3), number(floor.pfa_g_max, 3));
+        rows.push(("PFA", format!("median {median} g, largest {most} g")));
+        rows.push((
+            "Median PFV",
+            format!("{} m/s", number(floor.pfv_m_s_median, 3)),
+        ));
+    }
+    rows.push((
+        "Mass",
+        item.mass_kg.map_or_else(
+            || "not given".to_owned(),
+            |mass_kg| format!("{} kg", number(mass_kg, 5)),
+        ),
+    ));
+    rows.push(("Cushion, one edge", cushion(item)));
+    rows
+}
+
+fn cushion(item: &Item) -> String {
+    let Some(edge) = &item.cushion else {
+        return "not given".to_owned();
+    };
+    let source = item
+        .cushion_source
+        .as_ref()
+        .map_or_else(String::new, |source| format!(" ({source})"));
+    format!("{}{source}", cushion_words(&edge.cushion))
+}
+
+fn consequences(item: &Item) -> String {
+    let rated = [
+        ("life safety", item.consequences.life_safety),
+        ("property", item.consequences.property),
+        ("function", item.consequences.function),
+    ];
+    let words = rated
+        .into_iter()
+        .filter_map(|(name, rating)| Some(format!("{name} {}", rating?.name())));
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// What both models say, a row for each.
+fn response(found: &Assessment) -> String {
+    let Some(answers) = &found.answers else {
+        return paragraph("Its response was not calculated; the reason is given above.");
+    };
+    let chance = |model: &ModelAnswers| {
+        let exceed = model
+            .exceed
+            .map_or_else(|| "–".to_owned(), crate::assessment::words::probability);
+        [
+            figure(crate::assessment::words::probability(model.overturn)),
+            figure(exceed),
+        ]
+    };
+    let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
+    let base = match found.model {
+        Some(ObjectModel::Roll) => "on its casters",
+        Some(ObjectModel::Slide) => "sliding",
+        _ => "rigid base, Eq. (5)",
+    };
+    let mut rows = Vec::new();
+    if let (Some(model), Some(response)) = (&answers.rigid, &found.response) {
+        let mut row = vec![text(base)];
+        row.extend(chance(model));
+        row.push(figure(percent(response.uplift_share, 0)));
+        row.push(figure(quantiles(response.uplift_m, |lift| {
+            ranked_milli(lift, "mm")
+        })));
+        row.push(figure(shocks.map_or_else(
+            || "–".to_owned(),
+            |shocks| quantiles(shocks, |g| ranked(g, "g")),
+        )));
+        rows.push(row);
+    }
+    if let (Some(model), Some(pads)) = (&answers.compliant, &found.on_pads) {
+        let mut row = vec![text(match found.model {
+            Some(ObjectModel::Spatial) => "in three dimensions, on its pads",
+            Some(ObjectModel::Stack) => "with what stands on it, on pads",
+            _ => "on its pads",
+        })];
+        row.extend(chance(model));
+        row.push(figure(percent(pads.let_go_share, 0)));
+        row.push(figure(said(pads.lift_m_median, |lift| {
+            ranked_milli(lift, "mm")
+        })));
+        row.push(figure(said(pads.edge_acceleration_g_median, |g| {
+            ranked(g, "g")
+        })));
+        rows.push(row);
+    }
+    if rows.is_empty() {
+        return paragraph("Its response was not calculated; the reason is given above.");
+    }
+    let headings = vec![
+        text("Model"),
+        figure("Falls over"),
+        figure("Tolerance exceeded"),
+        figure("Lifts an edge"),
+        figure("Median uplift (16 to 84 %)"),
+        figure("Median shock (16 to 84 %)"),
+    ];
+    table("", &[headings], &rows) + &in_brief(found)
+}
+
+/// A median; in words where at least half of the worlds overturn the object.
+fn said(value: Ranked, shown: impl Fn(Ranked) -> String) -> String {
+    match value {
+        Ranked::Overturned => "half or more overturn".to_owned(),
+        other => shown(other),
+    }
+}
+
+/// The median, and the values that 16 and 84 % of the worlds do not exceed.
+fn quantiles([low, median, high]: [Ranked; 3], shown: impl Fn(Ranked) -> String) -> String {
+    match (median, high) {
+        (Ranked::Overturned | Ranked::NoData, _) => said(median, shown),
+        (_, Ranked::Overturned) => format!("{} ({} to overturned)", shown(median), shown(low)),
+        _ => format!("{} ({} to {})", shown(median), shown(low), shown(high)),
+    }
+}
+
+/// Sliding, clearance, and what the answer depends on, in one paragraph.
+fn in_brief(found: &Assessment) -> String {
+    let mut said: Vec<String> = Vec::new();
+    if let Some(response) = found
+        .response
+        .as_ref()
+        .filter(|response| response.failed > 0)
+    {
+        let reason = response
+            .failure
+            .as_deref()
+            .unwrap_or("the reason is not known");
+        said.push(format!(
+            "The histories in {} failed: {reason}.",
+            counted(response.failed, "further world")
+        ));
+    }
+    // What rolls is told by its travel.
+    if let Some(sliding) = found.sliding.as_ref().filter(|_| found.rolled.is_none()) {
+        let (low, high) = sliding.friction_ratio;
+        let origin = if sliding.is_stated {
+            "stated"
+        } else {
+            "assumed"
+        };
+        let (low, high) = (number(low, 3), number(high, 3));
+        let verdict = sliding.verdict.name();
+        said.push(format!(
+            "Sliding: {verdict} (coefficient of friction {low} to {high}, {origin})."
+        ));
+    }
+    if let Some(rolled) = &found.rolled {
+        let margin = rolled.trip_margin().map_or_else(String::new, |margin| {
+            format!(
+                " The speed that overturns it at its stop is {} times that of 84 % of the worlds.",
+                number(margin, 3)
+            )
+        });
+        let how = if found.model == Some(ObjectModel::Slide) {
+            "Sliding"
+        } else {
+            "Travel on its casters"
+        };
+        said.push(format!(
+            "{how} to one side: median {} mm, {} mm in 84 % of the worlds. Nothing overturns it without a \
+             stop.{margin}",
+            number(1e3 * rolled.travel_m_median, 3),
+            number(1e3 * rolled.travel_m_p84, 3)
+        ));
+    }
+    if let Some(at_wall) = &found.at_wall {
+        let shock = at_wall.acceleration_g_median.map_or_else(
+            || "its shock there is not known".to_owned(),
+            |shock_g| {
+                format!(
+                    "shock there, apart from that on the floor, {} g",
+                    number(shock_g, 3)
+                )
+            },
+        );
+        said.push(format!(
+            "Its wall: struck in {} of the worlds; median world: speed {} m/s, {shock}. It ends leaning on it in {}.",
+            percent(at_wall.strike_share, 0),
+            number(at_wall.speed_m_s_median, 3),
+            percent(at_wall.lean_share, 1)
+        ));
+    }
+    if let Some(clearance_m) = found.clearance_m {
+        said.push(format!(
+            "Clearance needed on every side: {} mm.",
+            number((1e3 * clearance_m).ceil(), 6)
+        ));
+    }
+    if let Some(shares) = &found.shares {
+        said.extend(depends_on(shares));
+    }
+    if let Some(per_year) = &found.per_year {
+        let at_least = if per_year.is_at_least {
+            "at least "
+        } else {
+            ""
+        };
+        let exceed = per_year.exceed.map_or_else(String::new, |p| {
+            format!(
+                "; that its tolerance is exceeded, {at_least}{}",
+                number(p, 2)
+            )
+        });
+        said.push(format!(
+            "Probability per year that it falls: {at_least}{}{exceed}. It does not decide.",
+            number(per_year.overturn, 2)
+        ));
+    }
+    if said.is_empty() {
+        String::new()
+    } else {
+        format!("<p>{}</p>\n", words(&said.join(" ")))
+    }
+}
+
+/// The groups of unknowns, the one that matters most first, and what to measure.
+fn depends_on(shares: &Shares) -> Vec<String> {
+    let mut known: Vec<_> = shares
+        .by_group
+        .iter()
+        .filter_map(|(cause, share)| Some((cause, (*share)?)))
+        .collect();
+    known.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let named: Vec<String> = known
+        .iter()
+        .map(|(cause, share)| format!("{} {}", cause.name(), percent(*share, 0)))
+        .collect();
+    let mut said = Vec::new();
+    if !named.is_empty() {
+        said.push(format!("The answer depends on: {}.", named.join(", ")));
+    }
+    if let Some((cause, low, high)) = &shares.measure_first {
+        said.push(format!(
+            "Measure first: {}. At its 10 % point the probability is {}, at its 90 % point {}: on both sides of the \
+             accepted one.",
+            cause.name(),
+            percent(*low, 0),
+            percent(*high, 0)
+        ));
+    }
+    said
+}
+
+fn what_to_do(found: &Assessment) -> String {
+    let mut html = String::new();
+    if let Some(softening) = &found.softening {
+        let mut said = match softening.max_stiffness_n_m {
+            Some(stiffness) => format!(
+                "A softer pad: at most {} N/mm under one edge; it {} every check.",
+                number(1e-3 * stiffness, 3),
+                if softening.admissible {
+                    "passed"
+                } else {
+                    "did not pass"
+                }
+            ),
+            None => "A softer pad: no stiffness suffices.".to_owned(),
+        };
+        if let Some(stroke_m) = softening.stroke_m {
+            let (stroke, pad) = (
+                number(1e3 * stroke_m, 3),
+                number(1e3 * softening.pad_thickness_m, 3),
+            );
+            let _ = write!(
+                said,
+                " It is {pad} mm thick and is compressed by {stroke} mm."
+            );
+        }
+        if let Some(shock_g) = softening.edge_acceleration_g {
+            let _ = write!(
+                said,
+                " The median shock on this pad is {} g.",
+                number(shock_g, 3)
+            );
+        }
+        let _ = writeln!(
+            html,
+            "<p>{} Check: {}</p>",
+            words(&said),
+            words(&softening.note)
+        );
+    }
+    html.push_str(&forces(
+        found
+            .restraint
+            .iter()
+            .filter(|force| force.kind != RestraintKind::OtherCode),
+    ));
+    let is_held = found
+        .design_force()
+        .is_some_and(|force| force.anchor_tension_n <= 0.0);
+    let held = is_held.then(|| "No tension: its weight holds it down.".to_owned());
+    html.push_str(&held.map_or_else(String::new, |said| paragraph(&said)));
+    html
+}
+
+/// Forces of a restraint, a row for each source; nothing where there are none.
+fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
+    let tension = |force_n: f64| {
+        if force_n > 0.0 {
+            kilonewtons(force_n)
+        } else {
+            "none".to_owned()
+        }
+    };
+    let row = |force: &RestraintForce| {
+        vec![
+            markup(name(&force.source), ""),
+            figure(kilonewtons(force.force_n)),
+            figure(number(force.force_ratio, 3)),
+            figure(tension(force.anchor_tension_n)),
+            figure(tension(force.anchor_tension_concrete_n)),
+            figure(format!("{} mm", number(1e3 * force.bracket_height_m, 4))),
+            figure(kilonewtons(force.bracket_force_n)),
+            figure(kilonewtons(force.bracket_force_concrete_n)),
+            figure(kilonewtons(force.bracket_base_shear_n)),
+        ]
+    };
+    let forces: Vec<&RestraintForce> = forces.collect();
+    if forces.is_empty() {
+        return String::new();
+    }
+    let rows: Vec<Vec<Cell>> = forces.iter().map(|force| row(force)).collect();
+    let headings = vec![
+        text("Force of a restraint by"),
+        figure("Force"),
+        figure("Force/weight"),
+        figure("Tension along one edge"),
+        figure("in concrete"),
+        figure("Or a bracket at"),
+        figure("Force"),
+        figure("in concrete"),
+        figure("at the feet"),
+    ];
+    table("", &[headings], &rows)
+}
+
+/// What was assumed about the row.
+fn notes(found: &Assessment) -> String {
+    if found.notes.is_empty() {
+        String::new()
+    } else {
+        format!("<p>{}</p>\n", words(&found.notes.join(" ")))
+    }
+}
+
+/// Everything that a reviewer needs besides: both axes, formulas, equations, comparisons.
+fn calculation(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
+    let mut html = String::new();
+    if let Some(response) = &found.response {
+        html.push_str(&heading("Both sides of the object, on a rigid base"));
+        html.push_str(&axes(&response.axes));
+        html.push_str(&paragraph(&format!(
+            "At most {} in one world.",
+            counted(response.impacts_max, "impact")
+        )));
+    }
+    if let Some(shock) = &found.shock {
+        let mut said = format!(
+            "Duration of the pulse: {} ms; median velocity change: {}.",
+            number(1e3 * shock.pulse_duration_s, 3),
+            said(shock.velocity_change_m_s, |v| ranked(v, "m/s"))
+        );
+        if let Some(impacts) = shock.impacts_above_tolerance {
+            let _ = write!(
+                said,
+                " Impacts above the peak of its tolerance, in the hardest world that does not overturn it: \
+                 {impacts}."
+            );
+        }
+        if let Some(ratio) = found
+            .capacity
+            .as_ref()
+            .and_then(|capacity| capacity.floor_ratio)
+        {
+            let _ = write!(said, " Median PFA over tolerance: {}.", number(ratio, 3));
+        }
+        html.push_str(&paragraph(&said));
+    }
+    if let Some(pads) = &found.on_pads {
+        let number = |value: Option<f64>, unit: &str| {
+            value.map_or_else(
+                || "–".to_owned(),
+                |value| format!("{} {unit}", number(value, 3)),
+            )
+        };
+        html.push_str(&paragraph(&format!(
+            "On its pads it rocks at {} with both edges down; a steady {} lifts an edge off its pad.",
+            number(pads.rocking_frequency_hz, "Hz"),
+            number(pads.pad_uplift_threshold_g, "g"),
+        )));
+    }
+    if found
+        .shares
+        .as_ref()
+        .is_some_and(|shares| shares.by_group.iter().any(|(_, share)| share.is_some()))
+    {
+        html.push_str(&paragraph(
+            "What the answer depends on: each share is that of worlds in which the answer changes if only this value is \
+             drawn again, divided by that of two unrelated worlds. The shares of values that act together overlap.",
+        ));
+    }
+    if !found.restraint.is_empty() {
+        html.push_str(&heading("Forces of the restraint"));
+        html.push_str(&forces(
+            found
+                .restraint
+                .iter()
+                .filter(|force| force.kind == RestraintKind::OtherCode),
+        ));
+        html.push_str("<dl>\n");
+        for force in &found.restraint {
+            let _ = writeln!(
+                html,
+                "<dt>{}</dt><dd>{}</dd>",
+                name(&force.source),
+                words(&force.note)
+            );
+        }
+        html.push_str("</dl>\n");
+    }
+    if let Some(chain) = &found.chain {
+        html.push_str(&heading("The shock, step by step"));
+        html.push_str(&equations(item, chain));
+    }
+    html.push_str(&comparisons(inventory, item, found));
+    html
+}
+
+fn axes(axes: &[AxisResponse]) -> String {
+    let headings = vec![
+        text("Side in the plane of rocking"),
+        figure("Slenderness angle"),
+        figure("R"),
+        figure("Uplift threshold"),
+        figure("Worlds with uplift"),
+        figure("Worlds that overturn it"),
+        figure("Shock 16 %"),
+        figure("median"),
+        figure("84 %"),
+        figure("Ceiling"),
+    ];
+    let rows: Vec<Vec<Cell>> = axes
+        .iter()
+        .map(|axis| {
+            let mut cells = vec![
+                text(axis.axis.name()),
+                figure(format!(
+                    "{}°",
+                    fixed(axis.slenderness_angle_rad.to_degrees(), 1)
+                )),
+                figure(format!("{} mm", number(1e3 * axis.half_diagonal_m, 4))),
+                figure(format!("{} g", number(axis.uplift_threshold_g, 3))),
+                figure(percent(axis.uplift_share, 0)),
+                figure(percent(axis.overturn_share, 0)),
+            ];
+            match axis.edge_acceleration_g {
+                Some(shocks) => cells.extend(shocks.map(|g| figure(ranked(g, "g")))),
+                None => cells.push(markup("mass or cushion not given".to_owned(), "over").over(3)),
+            }
+            cells.push(figure(
+                axis.ceiling_g
+                    .map_or_else(|| "–".to_owned(), |g| format!("{} g", number(g, 3))),
+            ));
+            cells
+        })
+        .collect();
+    table("", &[headings], &rows)
+}
+
+/// Comparisons with published numbers, and the other columns of the inventory.
+fn comparisons(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
+    let mut html = String::new();
+    let mut add = |title: &str, lines: &[String]| {
+        if !lines.is_empty() {
+            let _ = writeln!(html, "{}<ul>", heading(title));
+            for line in lines {
+                let _ = writeln!(html, "<li>{}</li>", words(line));
+            }
+            html.push_str("</ul>\n");
+        }
+    };
+    add("Comparison with published numbers", &found.context);
+    let mut carried = Vec::new();
+    if !item.notes.is_empty() {
+        carried.push(format!("Notes: {}", item.notes));
+    }
+    let cells = inventory
+        .carried
+        .iter()
+        .zip(&item.carried)
+        .filter(|(_, cell)| !cell.is_empty());
+    carried.extend(
+        cells
+            .take(MAX_CARRIED)
+            .map(|(header, cell)| format!("{header}: {cell}")),
+    );
+    add("Other columns of the list", &carried);
+    html
+}
+
+/// Largest number of other columns of the inventory on a page.
+const MAX_CARRIED: usize = 30;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An object without geometry, level, mass and tolerance has a page, which says what is
+    /// missing.
+    #[test]
+    fn a_bare_object_has_a_page() {
+        let inventory = crate::assessment::fixture::inventory(vec![]);
+        let item = crate::assessment::fixture::hostile_items().pop().unwrap();
+        let html = page(
+            &inventory,
+            &item,
+            3,
+            &crate::assessment::fixture::unknown(&item),
+        );
+        for said in [
+            "NO VERDICT",
+            "Height, thickness and level are missing.",
+            "not given",
+            "was not calculated",
+        ] {
+            assert!(html.contains(said), "{said}: {html}");
+        }
+        assert!(!html.contains("step by step") && !html.contains("<svg"));
+        assert_eq!(ranked_milli(Ranked::Value(0.0305), "mm"), "30.5 mm");
+    }
+}

@@ -1,0 +1,166 @@
+//! Figures, and a table of every object for each level.
+
+use crate::figures::MAX_RECORDS;
+use freestand_input::words::{fixed, number, percent};
+use freestand_output::figure::Figure;
+use freestand_output::html::escape;
+use freestand_study::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
+use freestand_study::study::{Ground, Study};
+
+use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
+
+/// Largest number of thicknesses that fit side by side on A4.
+const MAX_COLUMNS: usize = 5;
+
+/// Figures first, then the numbers.
+pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -> String {
+    let mut html = String::new();
+    for (index, figure) in figures.iter().enumerate() {
+        html += &framed(index + 1, figure);
+    }
+    html += &records_words(study);
+    html += &paragraph(&how_to_read(study));
+    for level in &result.levels {
+        html += &heading(&format!("Median shock at the level {}", level.level.name));
+        let mut thicknesses = study.objects.thicknesses_m.clone();
+        thicknesses.sort_by(f64::total_cmp);
+        for some in thicknesses.chunks(MAX_COLUMNS) {
+            html += &level_table(study, level, some);
+        }
+    }
+    html
+}
+
+/// Which of the recorded motions were drawn, if not all.
+fn records_words(study: &Study) -> String {
+    match &study.ground {
+        Ground::Recorded(records) if records.len() > MAX_RECORDS => paragraph(&format!(
+            "Figures show the first {MAX_RECORDS} of the {} recorded ground motions; the command motion info can \
+             plot the others.",
+            records.len()
+        )),
+        _ => String::new(),
+    }
+}
+
+fn framed(number: usize, figure: &Figure) -> String {
+    let label = format!(
+        "<svg role=\"img\" aria-label=\"{}\" ",
+        escape(&figure.title)
+    );
+    format!(
+        "<figure id=\"figure-{name}\">\n<div class=\"scroll\" tabindex=\"0\">{svg}</div>\n<figcaption><strong>Figure \
+         {number}. {title}.</strong> {caption}</figcaption>\n</figure>\n",
+        name = figure.name,
+        svg = figure.svg.replacen("<svg ", &label, 1),
+        title = escape(&figure.title),
+        caption = escape(&figure.caption),
+    )
+}
+
+fn how_to_read(study: &Study) -> String {
+    let mut text = String::from(
+        "How to read the tables. Each cell is the median over all motions: an object that does not uplift counts as \
+         0, an overturned one as larger than any number; nothing is extrapolated and no motion is left out. “–”: \
+         half or more of the motions do not uplift the object. “overturned”: half or more of the motions overturn \
+         it. The two sources of the energy at impact are side by side, in g: “uplift”, the largest rise of the \
+         centre of gravity (as in the paper), and “velocity”, the largest angular velocity just before an impact. \
+         The larger, in bold, governs. “ov.”: share of the motions that overturn the object.",
+    );
+    if let Some(tolerance) = study.objects.tolerance_m_s2 {
+        text.push_str(&format!(
+            " ▲: above the tolerance of {} g, or overturned.",
+            number(tolerance / freestand::G0_M_S2, 3)
+        ));
+    }
+    text
+}
+
+fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> String {
+    let mut top = vec![words("")];
+    let mut below = vec![figure("h (m)")];
+    for &t in thicknesses {
+        top.push(markup(escape(&format!("t = {} mm", number(1e3 * t, 4))), "group").over(3));
+        below.push(markup("uplift".into(), "n first"));
+        below.push(figure("velocity"));
+        below.push(figure("ov."));
+    }
+    let mut heights = study.objects.heights_m.clone();
+    heights.sort_by(f64::total_cmp);
+    let decimals = heights
+        .iter()
+        .map(|&h| decimals(&number(h, 5)))
+        .max()
+        .unwrap_or(0);
+    let tolerance_g = study.objects.tolerance_m_s2.map(|a| a / freestand::G0_M_S2);
+    let rows: Vec<Vec<Cell>> = heights
+        .iter()
+        .map(|&h| {
+            let mut row = vec![figure(fixed(h, decimals))];
+            for &t in thicknesses {
+                let object = level
+                    .statistics
+                    .iter()
+                    .flatten()
+                    .find(|s| s.height_m == h && s.thickness_m == t);
+                row.extend(object_cells(object, tolerance_g));
+            }
+            row
+        })
+        .collect();
+    classed_table("objects", "", &[top, below], &rows)
+}
+
+/// Number of decimals.
+fn decimals(number: &str) -> usize {
+    number.split_once('.').map_or(0, |(_, digits)| digits.len())
+}
+
+/// Both sources and the overturned share of one object.
+fn object_cells(object: Option<&ObjectStatistics>, tolerance_g: Option<f64>) -> Vec<Cell> {
+    let Some(s) = object else {
+        return vec![markup("failed".into(), "over").over(3)];
+    };
+    let sign = if tolerance_g.is_some_and(|tolerance| s.exceeds(tolerance)) {
+        " ▲"
+    } else {
+        ""
+    };
+    let share = markup(
+        if s.overturned_share > 0.0 {
+            percent(s.overturned_share, 0)
+        } else {
+            String::new()
+        },
+        "n share",
+    );
+    match (
+        s.edge_acceleration_g[1],
+        s.edge_acceleration_impact_velocity_g[1],
+    ) {
+        (Ranked::Value(uplift), Ranked::Value(velocity)) => {
+            let larger = uplift.max(velocity);
+            let cell = |value: f64, class| {
+                let text = shock(value);
+                let sign = if value == larger { sign } else { "" };
+                let html = if value == larger && value > 0.0 {
+                    format!("<strong>{}</strong>{sign}", escape(&text))
+                } else {
+                    escape(&text)
+                };
+                markup(html, class)
+            };
+            vec![cell(uplift, "n first"), cell(velocity, "n"), share]
+        }
+        (Ranked::NoData, _) | (_, Ranked::NoData) => vec![markup("failed".into(), "over").over(3)],
+        _ => vec![markup(format!("overturned{sign}"), "over").over(2), share],
+    }
+}
+
+fn shock(value_g: f64) -> String {
+    match value_g {
+        0.0 => "–".to_owned(),
+        v if v < 0.005 => "<0.01".to_owned(),
+        v => fixed(v, 2),
+    }
+}

@@ -1,0 +1,83 @@
+//! How the result depends on single values, if that was requested.
+
+use freestand_input::words::{fixed, percent};
+use freestand_study::result::StudyResult;
+use freestand_study::result::VariedLevel;
+
+use super::{headings, or_dash};
+use freestand_output::html::{Cell, classed_table, list, paragraph, words};
+
+/// A table for each level; empty where nothing was varied.
+pub(super) fn sensitivity(result: &StudyResult) -> String {
+    let Some(sensitivity) = &result.sensitivity else {
+        return String::new();
+    };
+    let mut html = paragraph(
+        "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
+         by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
+         left out. The largest median belongs to one object and decreases when that object begins to overturn.",
+    );
+    let headings = headings(
+        ["Changed"],
+        [
+            "median PFA (g)",
+            "overturned",
+            "overturned by half of the motions",
+            "largest median (g)",
+            "largest shock (g)",
+            "shock ratio",
+            "objects compared",
+        ],
+    );
+    for level in &result.levels {
+        let name = &level.level.name;
+        let rows: Vec<Vec<Cell>> = sensitivity
+            .rows
+            .iter()
+            .filter(|row| row.level == *name)
+            .map(row)
+            .collect();
+        html += &classed_table("glance", &format!("Level {name}"), &headings, &rows);
+    }
+    let mut remarks: Vec<String> = Vec::new();
+    // A remark belongs to a variation, not to a level: it is printed once.
+    for remark in sensitivity.rows.iter().filter_map(remark) {
+        if !remarks.contains(&remark) {
+            remarks.push(remark);
+        }
+    }
+    remarks.extend(sensitivity.left_out.iter().cloned());
+    if !remarks.is_empty() {
+        html += &list(&remarks);
+    }
+    html
+}
+
+/// Why there is no result, or the additional warnings of this change.
+fn remark(row: &VariedLevel) -> Option<String> {
+    let why = row
+        .reason
+        .as_ref()
+        .map(ToString::to_string)
+        .or_else(|| row.warnings.clone())?;
+    Some(format!("{}: {why}", row.words()))
+}
+
+fn row(row: &VariedLevel) -> Vec<Cell> {
+    let value = |value: Option<f64>, digits| or_dash(value, |v| fixed(v, digits));
+    let changed = if row.value.is_empty() {
+        "unchanged".to_owned()
+    } else {
+        row.words()
+    };
+    vec![
+        words(&changed),
+        value(row.pfa_g_median, 3),
+        or_dash(row.overturned_share, |share| percent(share, 1)),
+        or_dash(row.overturned_objects, |n| n.to_string()),
+        value(row.edge_acceleration_g_median, 2),
+        value(row.edge_acceleration_g_max, 2),
+        value(row.edge_acceleration_ratio, 2),
+        or_dash(row.compared_objects, |n| n.to_string()),
+    ]
+}
