@@ -14,6 +14,7 @@ pub mod place;
 #[path = "../../freestand-output/tests/print/check.rs"]
 mod print_check;
 pub mod restraint;
+pub mod risk;
 pub mod rocking;
 pub mod spectrum;
 pub mod study;

@@ -60,38 +60,50 @@ const MAX_FLOOR: u32 = 1000;
 
 /// What the failures of one object cost, and how often they are accepted.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct CostRow {
-    pub(crate) id: String,
+pub struct CostRow {
+    /// Identifier of the object.
+    pub id: String,
     /// Its line in the file, from 1.
-    pub(crate) line: usize,
-    pub(crate) quantity: f64,
+    pub line: usize,
+    /// How many objects it stands for.
+    pub quantity: f64,
     /// Whether the list states it; else it is 1.
-    pub(crate) has_quantity: bool,
-    pub(crate) repair: Option<f64>,
-    pub(crate) replacement: Option<f64>,
-    pub(crate) downtime_days: Option<f64>,
-    pub(crate) downtime_cost: Option<f64>,
-    pub(crate) casualty_probability: Option<f64>,
-    pub(crate) casualty_cost: Option<f64>,
-    pub(crate) accepted_rate: Option<f64>,
-    pub(crate) accepted_exceed_rate: Option<f64>,
+    pub has_quantity: bool,
+    /// Cost of a repair after its tolerance was exceeded.
+    pub repair: Option<f64>,
+    /// Cost of another one after it overturned.
+    pub replacement: Option<f64>,
+    /// Days without it after it overturned.
+    pub downtime_days: Option<f64>,
+    /// Cost of a day without it.
+    pub downtime_cost: Option<f64>,
+    /// Probability of a casualty where it overturns.
+    pub casualty_probability: Option<f64>,
+    /// Cost of a casualty.
+    pub casualty_cost: Option<f64>,
+    /// Accepted rate of overturning \[1/year\].
+    pub accepted_rate: Option<f64>,
+    /// Accepted rate of exceeding its tolerance \[1/year\].
+    pub accepted_exceed_rate: Option<f64>,
     /// What it is.
-    pub(crate) item: String,
-    pub(crate) building: String,
-    pub(crate) location: String,
+    pub item: String,
+    /// Its building.
+    pub building: String,
+    /// Its place.
+    pub location: String,
     /// What the inventory says about its anchors.
-    pub(crate) anchored: String,
+    pub anchored: String,
     /// What its fall means for people.
-    pub(crate) life_safety: Option<Rating>,
+    pub life_safety: Option<Rating>,
     /// 0: the ground.
-    pub(crate) floor: Option<u32>,
+    pub floor: Option<u32>,
     /// Longitude and latitude \[degrees\].
-    pub(crate) site_deg: Option<(f64, f64)>,
+    pub site_deg: Option<(f64, f64)>,
 }
 
 impl CostRow {
     /// Cost of overturning of one object.
-    pub(crate) fn overturned(&self) -> f64 {
+    pub fn overturned(&self) -> f64 {
         let product = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| a * b);
         self.replacement.unwrap_or(0.0)
             + product(self.downtime_days, self.downtime_cost)
@@ -99,7 +111,7 @@ impl CostRow {
     }
 
     /// Whether any cost is known.
-    pub(crate) fn has_costs(&self) -> bool {
+    pub fn has_costs(&self) -> bool {
         self.repair.is_some()
             || self.replacement.is_some()
             || self.downtime_days.zip(self.downtime_cost).is_some()
@@ -107,7 +119,7 @@ impl CostRow {
     }
 
     /// What is not counted because it was not given.
-    pub(crate) fn not_counted(&self) -> Vec<&'static str> {
+    pub fn not_counted(&self) -> Vec<&'static str> {
         let parts = [
             (self.repair.is_some(), "repair_cost"),
             (self.replacement.is_some(), "replacement_cost"),
@@ -130,13 +142,17 @@ impl CostRow {
 
 /// The costs of an inventory.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Costs {
-    pub(crate) file: InputFile,
-    pub(crate) currency: Option<String>,
-    pub(crate) rows: Vec<CostRow>,
+pub struct Costs {
+    /// The file.
+    pub file: InputFile,
+    /// The currency of all costs.
+    pub currency: Option<String>,
+    /// One for each object.
+    pub rows: Vec<CostRow>,
     /// Objects whose runs would be too mild, by what a list says of them.
-    pub(crate) too_mild: Vec<(String, TooMild)>,
-    pub(crate) warnings: Vec<String>,
+    pub too_mild: Vec<(String, TooMild)>,
+    /// What to know beside them.
+    pub warnings: Vec<String>,
 }
 
 /// The currency of a column, `AUD` of `[AUD]` and of `[AUD/day]`; all columns have the same.
@@ -206,7 +222,7 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 ///
 /// # Errors
 /// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
-pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
+pub fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
     let bytes = load(path)?;
     let file = InputFile::new(path, &bytes);
     if !list.is_given() && is_table(&bytes, path) {
@@ -506,7 +522,7 @@ fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
 
 /// How an option changes the curves of an object.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Effect {
+pub enum Effect {
     /// All medians are multiplied.
     MedianFactor(f64),
     /// Other curves, such as those of the object that `freestand fragility --options` changed.
@@ -515,24 +531,32 @@ pub(crate) enum Effect {
 
 /// An option for one object: a pad, a strap, an anchor.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct OptionRow {
-    pub(crate) id: String,
+pub struct OptionRow {
+    /// Identifier of the object.
+    pub id: String,
     /// Its line in the file, from 1.
-    pub(crate) line: usize,
-    pub(crate) option: String,
-    pub(crate) cost: f64,
-    pub(crate) life_years: Option<f64>,
-    pub(crate) effect: Effect,
+    pub line: usize,
+    /// Name of the option.
+    pub option: String,
+    /// What it costs once.
+    pub cost: f64,
+    /// After how long it is renewed \[years\]; `None`: never.
+    pub life_years: Option<f64>,
+    /// What it changes.
+    pub effect: Effect,
 }
 
 /// The options of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Options {
-    pub(crate) file: InputFile,
-    pub(crate) rows: Vec<OptionRow>,
+pub struct Options {
+    /// The file.
+    pub file: InputFile,
+    /// One for each object and option.
+    pub rows: Vec<OptionRow>,
     /// The curves that options name, with their files.
-    pub(crate) curves: Vec<(InputFile, ObjectCurves)>,
-    pub(crate) warnings: Vec<String>,
+    pub curves: Vec<(InputFile, ObjectCurves)>,
+    /// What to know beside them.
+    pub warnings: Vec<String>,
 }
 
 /// Reads the options; `currency` is that of the costs, and `curves` those of all objects, with those of
@@ -541,7 +565,7 @@ pub(crate) struct Options {
 /// # Errors
 /// Another currency; every row with no effect or more than one, with an option that appears twice,
 /// or with a changed object without curves.
-pub(crate) fn load_options(
+pub fn load_options(
     path: &Path,
     currency: Option<&str>,
     curves: &[ObjectCurves],
@@ -707,7 +731,7 @@ fn names_of(
 }
 
 /// The id of the curves of an object with an option.
-pub(crate) fn curve_id(id: &str, option: &str) -> String {
+pub fn curve_id(id: &str, option: &str) -> String {
     format!("{id}/{option}")
 }
 

@@ -17,18 +17,21 @@ use super::rates::{Open, StateRates, least_fall, object_rates};
 use super::words::rate_words;
 
 /// The states whose curves enter a loss.
-pub(crate) const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
+pub const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
 
 /// Whether an object fails more often than accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
-pub(crate) enum RiskVerdict {
+pub enum RiskVerdict {
+    /// It fails no more often than accepted.
     Accepted,
+    /// It fails more often.
     Exceeds,
 }
 
 impl RiskVerdict {
-    pub(crate) fn words(self) -> &'static str {
+    /// The words of the console.
+    pub fn words(self) -> &'static str {
         match self {
             Self::Accepted => "accepted",
             Self::Exceeds => "more often than accepted",
@@ -38,21 +41,26 @@ impl RiskVerdict {
 
 /// How often a limit state is reached.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct StateRisk {
-    pub(crate) limit_state: LimitState,
-    pub(crate) rates: AnnualRates,
+pub struct StateRisk {
+    /// The limit state.
+    pub limit_state: LimitState,
+    /// How often a year.
+    pub rates: AnnualRates,
     /// Where the runs leave much of the rate open.
-    pub(super) open: Option<Open>,
+    pub open: Option<Open>,
     /// The 95 % interval over the motions, together with the bounds that the runs leave.
-    pub(crate) ci95: Option<(f64, f64)>,
+    pub ci95: Option<(f64, f64)>,
     /// Whether samples were drawn and tell no interval.
-    pub(crate) lacks_interval: bool,
-    pub(crate) probability: Option<f64>,
-    pub(crate) years: f64,
+    pub lacks_interval: bool,
+    /// Probability in some years; `None` where the rate is not known.
+    pub probability: Option<f64>,
+    /// Those years.
+    pub years: f64,
 }
 
 impl StateRisk {
-    pub(crate) fn words(&self, years: &str) -> String {
+    /// The rate, the probability and the bounds, for people.
+    pub fn words(&self, years: &str) -> String {
         let AnnualRates {
             annual_rate,
             annual_rate_lower,
@@ -137,7 +145,7 @@ impl StateRisk {
     }
 
     /// The rate, or its lower bound if nothing bounds it above.
-    pub(crate) fn known(&self) -> Option<f64> {
+    pub fn known(&self) -> Option<f64> {
         let lower = self.rates.annual_rate_lower;
         if self.is_at_least() {
             (lower > 0.0).then_some(lower)
@@ -147,26 +155,27 @@ impl StateRisk {
     }
 
     /// Whether the limit state may be reached more often than is counted.
-    pub(crate) fn is_at_least(&self) -> bool {
+    pub fn is_at_least(&self) -> bool {
         self.rates.annual_rate.is_none() || self.rates.is_at_least()
     }
 }
 
 /// An accepted rate, and the rate that it is compared with.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Limit {
-    pub(crate) limit_state: LimitState,
+pub struct Limit {
+    /// The limit state.
+    pub limit_state: LimitState,
     /// The accepted rate \[1/year\].
-    pub(crate) accepted: f64,
+    pub accepted: f64,
     /// The rate \[1/year\]; `None` if it is not known.
-    pub(crate) annual_rate: Option<f64>,
+    pub annual_rate: Option<f64>,
     /// Whether it is the most that the rate can be, because the rate itself is accepted.
-    pub(crate) is_most: bool,
+    pub is_most: bool,
 }
 
 impl Limit {
     /// The rate divided by the accepted one; 0 if the rate is not known.
-    pub(crate) fn ratio(&self) -> f64 {
+    pub fn ratio(&self) -> f64 {
         self.annual_rate.map_or(0.0, |rate| rate / self.accepted)
     }
 
@@ -177,34 +186,46 @@ impl Limit {
 
 /// The risk of one object.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct ObjectRisk {
-    pub(crate) id: String,
-    pub(crate) curves: ObjectCurves,
-    pub(crate) states: Vec<StateRisk>,
-    pub(crate) deaggregation: Vec<Bin>,
-    pub(crate) accepted_rate: Option<f64>,
-    pub(crate) accepted_exceed_rate: Option<f64>,
-    pub(crate) verdict: Option<RiskVerdict>,
-    pub(crate) is_certain: Option<bool>,
+pub struct ObjectRisk {
+    /// Identifier of the object.
+    pub id: String,
+    /// Its fragility.
+    pub curves: ObjectCurves,
+    /// Its limit states.
+    pub states: Vec<StateRisk>,
+    /// Parts of its rate of overturning by intensity.
+    pub deaggregation: Vec<Bin>,
+    /// Accepted rate of overturning \[1/year\].
+    pub accepted_rate: Option<f64>,
+    /// Accepted rate of exceeding its tolerance \[1/year\].
+    pub accepted_exceed_rate: Option<f64>,
+    /// Whether it fails more often than accepted; `None` where that is not known or not asked.
+    pub verdict: Option<RiskVerdict>,
+    /// Whether the verdict holds over the whole interval.
+    pub is_certain: Option<bool>,
     /// Why an accepted rate has no verdict.
-    pub(crate) why: Option<&'static str>,
-    pub(crate) cost: Option<CostRow>,
-    pub(crate) expected_annual_loss: Option<f64>,
+    pub why: Option<&'static str>,
+    /// What its failures cost.
+    pub cost: Option<CostRow>,
+    /// What its failures cost a year on average.
+    pub expected_annual_loss: Option<f64>,
     /// The ends of that loss.
-    pub(crate) loss: Option<LossBounds>,
+    pub loss: Option<LossBounds>,
     /// Whether the rates, and with them the loss, may be larger than those that are counted.
-    pub(crate) is_at_least: bool,
+    pub is_at_least: bool,
     /// Casualties per year; `None` where their probability or the rate of overturning is not known.
-    pub(crate) expected_annual_casualties: Option<f64>,
+    pub expected_annual_casualties: Option<f64>,
     /// The least that they can be; `None` where their probability is not known.
-    pub(crate) least_casualties: Option<f64>,
+    pub least_casualties: Option<f64>,
     /// The ends of them, the upper one where the rate of overturning has one.
     casualty_bounds: Option<(f64, Option<f64>)>,
-    pub(crate) not_counted: Vec<&'static str>,
+    /// Kinds of costs that were not given.
+    pub not_counted: Vec<&'static str>,
 }
 
 impl ObjectRisk {
-    pub(crate) fn new(
+    /// From its fragility, its costs and the hazard.
+    pub fn new(
         curves: &ObjectCurves,
         fit: Option<&ObjectFragility>,
         cost: Option<&CostRow>,
@@ -333,20 +354,20 @@ impl ObjectRisk {
     }
 
     /// A limit state; `None` without its curve.
-    pub(crate) fn state(&self, limit_state: LimitState) -> Option<&StateRisk> {
+    pub fn state(&self, limit_state: LimitState) -> Option<&StateRisk> {
         self.states
             .iter()
             .find(|one| one.limit_state == limit_state)
     }
 
     /// Whether it may overturn more often than is counted, or nothing tells how often.
-    pub(crate) fn may_overturn_more(&self) -> bool {
+    pub fn may_overturn_more(&self) -> bool {
         self.state(LimitState::Overturns)
             .is_none_or(StateRisk::is_at_least)
     }
 
     /// The words after a verdict that is not certain.
-    pub(crate) fn uncertainty_words(&self) -> &'static str {
+    pub fn uncertainty_words(&self) -> &'static str {
         match self.is_certain {
             Some(true) => "",
             Some(false) => ", not certain",
@@ -355,7 +376,7 @@ impl ObjectRisk {
     }
 
     /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
-    pub(crate) fn named_limits(&self) -> Vec<Limit> {
+    pub fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
         let limits = LOSS_STATES
             .into_iter()
@@ -378,7 +399,8 @@ impl ObjectRisk {
         if broken.is_empty() { kept } else { broken }
     }
 
-    pub(crate) fn rows(&self, years: f64) -> Vec<Facts<'_>> {
+    /// Its rows of `risk.csv`.
+    pub fn rows(&self, years: f64) -> Vec<Facts<'_>> {
         let rows = self.states.iter().map(|one| {
             Facts::default()
                 .key("id", self.id.as_str())
@@ -555,29 +577,32 @@ impl Interval {
 
 /// An expected annual loss: the least that it can be, and the most; `None` where nothing bounds it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct LossBounds {
-    pub(crate) least: f64,
+pub struct LossBounds {
+    /// The least.
+    pub least: f64,
     /// What is stated: by the rates that are known, and the least of the others.
-    pub(crate) best: f64,
-    pub(crate) most: Option<f64>,
+    pub best: f64,
+    /// The most; `None` where nothing bounds it.
+    pub most: Option<f64>,
 }
 
 impl LossBounds {
     /// A loss is known to 10 %, as its rates are.
     const BOUND_RATIO: f64 = 1.1;
 
-    pub(crate) fn is_bound(&self) -> bool {
+    /// Whether only bounds are known.
+    pub fn is_bound(&self) -> bool {
         self.most
             .is_none_or(|most| most > Self::BOUND_RATIO * self.least)
     }
 
     /// The loss that is stated: what has no most is *at least* its least.
-    pub(super) fn stated(&self, is_at_least: bool) -> f64 {
+    pub fn stated(&self, is_at_least: bool) -> f64 {
         if is_at_least { self.least } else { self.best }
     }
 
     /// The words after a loss of which only bounds are known.
-    pub(super) fn words(&self, unit: &str) -> String {
+    pub fn words(&self, unit: &str) -> String {
         match self.most.filter(|_| self.is_bound()) {
             Some(most) => format!(
                 "; between {} and {} {unit}",
@@ -591,17 +616,17 @@ impl LossBounds {
 
 /// What an option leaves of the loss of an object, and what it avoids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Avoided {
+pub struct Avoided {
     /// Expected annual loss with the option.
-    pub(crate) after: LossBounds,
+    pub after: LossBounds,
     /// The least annual loss that the option avoids; `None` where nothing bounds the loss with it.
-    pub(crate) least: Option<f64>,
+    pub least: Option<f64>,
     /// The annual loss that it avoids by the stated losses.
-    pub(crate) best: f64,
+    pub best: f64,
     /// Whether it may avoid more.
-    pub(crate) is_at_least: bool,
+    pub is_at_least: bool,
     /// The least number of falls a year that it avoids; `None` where nothing tells.
-    pub(crate) falls: Option<f64>,
+    pub falls: Option<f64>,
 }
 
 /// The rates of both states of losses, [`LOSS_STATES`]; `None` without a curve.
@@ -696,7 +721,7 @@ fn loss_between(
 
 /// Expected annual loss of an object. A rate that is not known counts with the least and with the most
 /// that it can be.
-pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
+pub fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
     let rates = loss_rates(curves, 1.0, hazard);
     loss_between(
         rates.map(|rates| rates.map(ends_of)),
@@ -718,12 +743,7 @@ pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) ->
 /// Motions below the first point of the hazard count neither without the option nor with it, unless
 /// they would add more to the rate with it: the difference is then a loss that it causes. A step
 /// counts in the middle of its ends, as everywhere.
-pub(crate) fn avoided(
-    curves: &ObjectCurves,
-    effect: &Effect,
-    cost: &CostRow,
-    hazard: &Hazard,
-) -> Avoided {
+pub fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> Avoided {
     let before = loss_of(curves, cost, hazard);
     let without = loss_rates(curves, 1.0, hazard);
     let (changed, factor) = match effect {

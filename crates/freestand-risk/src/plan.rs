@@ -6,14 +6,12 @@ use std::time::{Duration, Instant};
 use freestand::risk::{Choice, best_plan, present_value_factor_years, renewed_cost};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number};
 use freestand_output::{answer, answer_of};
 use freestand_study::run::Progress;
 
 use super::costs::OptionRow;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::request::RiskRequest;
-use super::words::least;
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
 use freestand_inventory::Rating;
@@ -25,30 +23,33 @@ const PLAN_TIME: Duration = Duration::from_secs(10);
 
 /// What one option is worth.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Worth {
-    pub(super) id: String,
-    pub(super) option: String,
+pub struct Worth {
+    /// Identifier of the object.
+    pub id: String,
+    /// Name of the option.
+    pub option: String,
     object: usize,
-    pub(super) cost: f64,
+    /// What it costs.
+    pub cost: f64,
     /// With renewals.
     cost_present_value: f64,
     /// The least that it can be; `None` where nothing bounds the rates with the option.
-    pub(super) benefit_present_value: Option<f64>,
+    pub benefit_present_value: Option<f64>,
     /// By the stated losses, of which the least that the benefit can be may be far below.
     estimate: f64,
     /// Whether the benefit may be larger.
-    pub(super) is_at_least: bool,
+    pub is_at_least: bool,
     /// Annual loss that the option leaves.
-    pub(super) after: LossBounds,
+    pub after: LossBounds,
     /// What a fall of the object means for people.
-    pub(super) life_safety: Option<Rating>,
+    pub life_safety: Option<Rating>,
     /// The least number of falls a year that the option avoids; `None` where nothing bounds it.
     falls: Option<f64>,
 }
 
 impl Worth {
     /// `None` for what costs nothing, or has no known benefit.
-    pub(super) fn ratio(&self) -> Option<f64> {
+    pub fn ratio(&self) -> Option<f64> {
         self.benefit_present_value
             .filter(|_| self.cost_present_value > 0.0)
             .map(|benefit| benefit / self.cost_present_value)
@@ -93,25 +94,31 @@ answer_of!(Worth as worth {
 
 /// All options, by their ratio of benefit to cost, and the plan within the budget.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Measures {
+pub struct Measures {
     ranking: Vec<Worth>,
-    pub(super) plan: Option<Chosen>,
-    pub(super) horizon_years: f64,
-    pub(super) discount_ratio: f64,
+    /// The plan within a budget.
+    pub plan: Option<Chosen>,
+    /// Over which options pay \[years\].
+    pub horizon_years: f64,
+    /// Discount rate per year.
+    pub discount_ratio: f64,
     /// Present value of 1 per year over the horizon \[years\].
-    pub(super) years: f64,
+    pub years: f64,
 }
 
+/// The plan within a budget.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Chosen {
-    pub(super) budget: f64,
-    pub(super) plan: Totals,
+pub struct Chosen {
+    /// The budget.
+    pub budget: f64,
+    /// What the plan costs and what it is worth.
+    pub plan: Totals,
     /// Sorted: life safety first, then by benefit over cost.
-    pub(super) chosen: Vec<Worth>,
+    pub chosen: Vec<Worth>,
     /// For each object that people need and the budget does not reach, the option that avoids most falls.
-    pub(super) unfunded: Vec<Worth>,
+    pub unfunded: Vec<Worth>,
     /// The best plans within parts of the budget.
-    pub(super) frontier: Vec<Within>,
+    pub frontier: Vec<Within>,
 }
 
 answer_of!(Chosen as chosen {
@@ -135,13 +142,17 @@ answer_of!(Chosen as chosen {
 answer! {
     /// The best plan within a budget.
     pub struct Within {
+        /// The budget.
         budget: f64,
+        /// What the plan costs.
         cost: f64,
+        /// What it is worth, less its cost.
         net_present_value: f64,
     }
 }
 
-pub(crate) fn measures(
+/// What every option is worth, and the plan within the budget.
+pub fn measures(
     request: &RiskRequest,
     options: &[OptionRow],
     objects: &[ObjectRisk],
@@ -280,12 +291,15 @@ const FEWEST_FALLS: f64 = 1e-6;
 
 /// What a plan costs and what it is worth.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Totals {
-    pub(super) cost: f64,
-    pub(super) value: f64,
+pub struct Totals {
+    /// What it costs.
+    pub cost: f64,
+    /// Its net present value.
+    pub value: f64,
     /// The most that any plan within the budget can be worth.
     bound: f64,
-    pub(super) is_optimal: bool,
+    /// Whether no plan is worth more.
+    pub is_optimal: bool,
 }
 
 /// What to do where a rate has no upper bound.
@@ -449,43 +463,24 @@ fn chosen(ranking: &[Worth], objects: usize, budget: f64, progress: Progress) ->
 
 impl Chosen {
     /// Whether the plan may be worth more.
-    pub(super) fn is_at_least(&self) -> bool {
+    pub fn is_at_least(&self) -> bool {
         self.chosen.iter().any(|worth| worth.is_at_least)
     }
 
-    /// What people need and the budget does not reach: `Unfunded life safety: 2 objects, 1400 EUR`.
-    pub(super) fn unfunded_words(&self, currency: &str) -> Option<String> {
-        let cost: f64 = self.unfunded.iter().map(|worth| worth.cost).sum();
-        let objects = counted(self.unfunded.len(), "object");
-        let amount = number(cost, 4);
-        let ids: Vec<String> = self
-            .unfunded
-            .iter()
-            .map(|worth| shorten(&worth.id))
-            .collect();
-        let words = || {
-            format!(
-                "Unfunded life safety: {objects}, {amount} {currency} ({})",
-                ids.join(", ")
-            )
-        };
-        (!ids.is_empty()).then(words)
-    }
-
     /// The option of the plan for an object.
-    pub(super) fn of(&self, id: &str) -> Option<&Worth> {
+    pub fn of(&self, id: &str) -> Option<&Worth> {
         self.chosen.iter().find(|worth| worth.id == id)
     }
 }
 
 impl Measures {
     /// The options whose benefit may be larger than stated, so that another plan may be the best.
-    pub(super) fn is_at_least(&self) -> bool {
+    pub fn is_at_least(&self) -> bool {
         self.ranking.iter().any(|worth| worth.is_at_least)
     }
 
     /// The options without a known benefit.
-    pub(super) fn unknown(&self) -> Vec<&Worth> {
+    pub fn unknown(&self) -> Vec<&Worth> {
         self.ranking
             .iter()
             .filter(|worth| worth.benefit_present_value.is_none())
@@ -493,7 +488,7 @@ impl Measures {
     }
 
     /// What to know about options of which something is not known.
-    pub(crate) fn warnings(&self) -> Vec<String> {
+    pub fn warnings(&self) -> Vec<String> {
         let is_life =
             |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
         let lives: Vec<&Worth> = self.ranking.iter().filter(is_life).collect();
@@ -525,54 +520,7 @@ impl Measures {
     }
 
     /// The options, the one that pays most first.
-    pub(super) fn ranking(&self) -> Vec<&Worth> {
+    pub fn ranking(&self) -> Vec<&Worth> {
         self.ranking.iter().collect()
-    }
-
-    pub(crate) fn text(&self, currency: &str) -> String {
-        let line = |worth: &Worth| {
-            let least = least(worth.is_at_least);
-            let ratio = worth.ratio().map_or("-".to_owned(), |ratio| {
-                format!("{least}{}", number(ratio, 3))
-            });
-            let benefit = match worth.benefit_present_value {
-                Some(benefit) => format!(
-                    "worth {least}{} {currency}, benefit/cost {ratio}",
-                    number(benefit, 4)
-                ),
-                None => "worth not known: a rate with it has no upper bound".to_owned(),
-            };
-            format!(
-                "  {}: {}, cost {} {currency}, {benefit}\n",
-                worth.id,
-                worth.option,
-                number(worth.cost, 4)
-            )
-        };
-        let mut text = "Options by benefit over cost:\n".to_owned();
-        text.extend(self.ranking.iter().map(line));
-        if let Some(found) = &self.plan {
-            let Chosen {
-                budget,
-                plan,
-                chosen,
-                ..
-            } = found;
-            let proven = match (plan.is_optimal, self.is_at_least()) {
-                (true, false) => "the best",
-                (true, true) => "the best by the least that options are worth",
-                (false, _) => "the best found so far",
-            };
-            text += &format!(
-                "Plan within {} {currency}, {proven}: {}, cost {} {currency}, net present value {}{} {currency}\n",
-                number(*budget, 4),
-                counted(chosen.len(), "option"),
-                number(plan.cost, 4),
-                least(found.is_at_least()),
-                number(plan.value, 4)
-            );
-            text.extend(chosen.iter().map(line));
-        }
-        text
     }
 }

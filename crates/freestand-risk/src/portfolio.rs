@@ -10,7 +10,7 @@ use freestand::risk::{
 };
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number};
+use freestand_input::words::counted;
 use freestand_output::{answer, answer_of};
 
 use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
@@ -18,11 +18,11 @@ use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
 use super::costs::{CostRow, Costs};
 use super::objects::LOSS_STATES;
 use super::objects::{LossBounds, ObjectRisk};
-use super::words::{least, rounded_value};
+use super::words::rounded_value;
 use crate::fragility::MeasuredHazard;
 
 /// The return periods whose losses are stated \[years\].
-const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
+pub const RETURN_PERIODS: [f64; 5] = [100.0, 250.0, 500.0, 1000.0, 2500.0];
 /// If a larger share of the worlds of the lowest intensity has a loss, lower intensities are
 /// missing.
 const SMALL: f64 = 0.02;
@@ -32,21 +32,26 @@ const NO_STRIPES: f64 = 0.5;
 
 /// The losses of all objects.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Portfolio {
-    worlds: usize,
-    expected_annual_loss: f64,
+pub struct Portfolio {
+    /// Worlds that the objects share.
+    pub worlds: usize,
+    /// What failures cost a year on average.
+    pub expected_annual_loss: f64,
     /// The least and the most that it can be, whatever happens between the intensities; the most is
     /// `None` where something fails at the lowest one,
     /// or may fail more often than its curves say.
     bounds: (f64, Option<f64>),
-    pub(super) curve: Vec<LossPoint>,
+    /// The rates at which losses are reached.
+    pub curve: Vec<LossPoint>,
     /// The same at the least and, as far as it is known, at the most.
     least: Vec<LossPoint>,
     most: Option<Vec<LossPoint>>,
-    pub(super) independent: Vec<LossPoint>,
-    pub(super) is_at_least: bool,
+    /// The same for objects that fail independently.
+    pub independent: Vec<LossPoint>,
+    /// Whether losses may be larger than those that are counted.
+    pub is_at_least: bool,
     /// Whether motions below those that were calculated cause losses too.
-    pub(super) fails_at_lowest: bool,
+    pub fails_at_lowest: bool,
 }
 
 /// An object with costs.
@@ -94,7 +99,7 @@ struct Worlds {
 ///
 /// # Errors
 /// A run that is missing, and intensities that the hazard does not tell apart.
-pub(crate) fn portfolio(
+pub fn portfolio(
     report: &FragilityReport,
     costs: &Costs,
     objects: &[ObjectRisk],
@@ -478,9 +483,11 @@ fn shares(object: &ObjectRisk, cost: &CostRow, level: f64) -> LossShares {
 
 /// The losses of all objects with their currency.
 #[derive(Clone, Copy)]
-pub(super) struct InCurrency<'r> {
-    pub(super) portfolio: &'r Portfolio,
-    pub(super) currency: Option<&'r str>,
+pub struct InCurrency<'r> {
+    /// The losses.
+    pub portfolio: &'r Portfolio,
+    /// Their currency.
+    pub currency: Option<&'r str>,
 }
 
 answer_of!(InCurrency<'_> as of {
@@ -510,9 +517,13 @@ answer_of!(Reached<'_> as point {
 answer! {
     /// The loss that is reached once in so many years.
     pub struct OnceIn {
+        /// The return period.
         years: f64,
+        /// The loss.
         loss: f64,
+        /// The least that it can be.
         loss_lower: f64,
+        /// The most; none where nothing bounds it.
         loss_upper: Option<f64>,
     }
 }
@@ -529,7 +540,7 @@ impl Portfolio {
     }
 
     /// The loss that is reached once in so many years.
-    fn at_return_period(&self, years: f64) -> LossBounds {
+    pub fn at_return_period(&self, years: f64) -> LossBounds {
         let of = |curve: &[LossPoint]| loss_at_return_period(curve, years);
         LossBounds {
             least: of(&self.least),
@@ -538,37 +549,17 @@ impl Portfolio {
         }
     }
 
-    fn is_bound(&self) -> bool {
+    /// The loss of a year on average.
+    pub fn annual_loss(&self) -> LossBounds {
         LossBounds {
             least: self.bounds.0,
             best: self.expected_annual_loss,
             most: self.bounds.1,
         }
-        .is_bound()
     }
 
-    pub(crate) fn text(&self, currency: &str) -> String {
-        let least = least(self.is_at_least);
-        let bounds = LossBounds {
-            least: self.bounds.0,
-            best: self.expected_annual_loss,
-            most: self.bounds.1,
-        };
-        let mut text = format!(
-            "All objects under common motions ({}): {least}{} {currency} a year{}\n",
-            counted(self.worlds, "world"),
-            number(self.expected_annual_loss, 4),
-            bounds.words(&format!("{currency} a year"))
-        );
-        for years in RETURN_PERIODS {
-            let loss = self.at_return_period(years);
-            let bounds = loss.words(currency);
-            text += &format!(
-                "  once in {years} years: {least}{} {currency}{bounds}\n",
-                number(loss.best, 4)
-            );
-        }
-        text
+    fn is_bound(&self) -> bool {
+        self.annual_loss().is_bound()
     }
 }
 
@@ -753,11 +744,7 @@ mod tests {
         assert_eq!(ends(410.0), loss(0.0, 0.0, 1000.0));
         assert_eq!(ends(810.0), loss(0.0, 1000.0, 1000.0));
         assert_eq!(ends(1610.0), loss(1000.0, 1000.0, 2000.0));
-        let text = found.text("AUD");
-        assert!(
-            text.contains("once in 500 years: 0 AUD; between 0 and 1000 AUD\n"),
-            "{text}"
-        );
+        assert_eq!(ends(500.0), loss(0.0, 0.0, 1000.0));
         // Where one fails at the lowest intensity, weaker motions may cost anything.
         let report = risk_of(&table(&[("a", [["overturned"; 2]; 3]), ("b", falls)])).unwrap();
         assert_eq!(report.portfolio.unwrap().at_return_period(250.0).most, None);

@@ -11,37 +11,37 @@ use crate::fragility::ObjectCurves;
 
 /// Intensities with one ratio between neighbours.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Levels {
-    pub(super) from: f64,
-    pub(super) to: f64,
+pub struct Levels {
+    pub from: f64,
+    pub to: f64,
     ratio: f64,
 }
 
 /// What the runs leave open of a rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Open {
-    pub(super) gap: Option<Gap>,
+pub struct Open {
+    pub gap: Option<Gap>,
     /// Intensities that would tell it, where they are known.
-    pub(super) levels: Option<Levels>,
+    pub levels: Option<Levels>,
 }
 
 /// How often a limit state is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct StateRates {
-    pub(super) limit_state: LimitState,
+pub(crate) struct StateRates {
+    pub limit_state: LimitState,
     /// With the bounds that the runs leave, whatever is above the last point of the hazard.
-    pub(super) rates: AnnualRates,
+    pub rates: AnnualRates,
     /// The bounds that the runs leave if the hazard goes on above its last point; `None` where only a
     /// curve is known.
-    pub(super) by_runs: Option<(f64, Option<f64>)>,
+    pub by_runs: Option<(f64, Option<f64>)>,
     /// The most that it can be because a milder limit state is not more frequent.
-    pub(super) most: Option<f64>,
-    pub(super) open: Option<Open>,
+    pub most: Option<f64>,
+    pub open: Option<Open>,
 }
 
 /// The rates of all limit states of an object that withstands `factor` times the intensity, from
 /// harmless to severe.
-pub(super) fn object_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> Vec<StateRates> {
+pub(crate) fn object_rates(curves: &ObjectCurves, factor: f64, hazard: &Hazard) -> Vec<StateRates> {
     let of = |curve: &freestand::fragility::Curve| {
         let kind = scaled(curve.kind, factor);
         let found: Vec<Capacity> = curves
@@ -200,7 +200,7 @@ impl Levels {
     }
 
     /// Those that do for both.
-    pub(super) fn with(self, other: Self) -> Self {
+    pub fn with(self, other: Self) -> Self {
         let Self { from, to, ratio } = other;
         Self {
             from: self.from.min(from),
@@ -210,7 +210,7 @@ impl Levels {
     }
 
     /// How many they are.
-    pub(super) fn count(self) -> usize {
+    pub fn count(self) -> usize {
         ((self.to / self.from).ln() / self.ratio.ln())
             .ceil()
             .max(1.0) as usize
@@ -266,7 +266,7 @@ fn put_in_order(states: &mut [StateRates]) {
 /// The capacities are the same with the option and without it, only farther up, and so is the hazard,
 /// so that the difference is known better than either rate: it is the least over what may be between
 /// the intensities of the runs, and above the last point of the hazard.
-pub(super) fn least_fall(
+pub(crate) fn least_fall(
     curves: &ObjectCurves,
     state: LimitState,
     factor: f64,

@@ -14,28 +14,38 @@ use crate::portfolio::{InCurrency, Portfolio};
 
 /// An object of the inventory that has no fragility, so that nothing about it is counted.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct NotRun {
-    pub(crate) id: String,
-    pub(crate) item: String,
-    pub(crate) quantity: f64,
+pub struct NotRun {
+    /// Identifier of the object.
+    pub id: String,
+    /// What it is.
+    pub item: String,
+    /// How many objects it stands for.
+    pub quantity: f64,
     /// Why it was not run, as far as that is known.
-    pub(crate) why: Option<String>,
+    pub why: Option<String>,
 }
 
 /// The answer.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RiskReport {
-    pub(crate) years: f64,
-    pub(crate) currency: Option<String>,
-    pub(crate) hazard: MeasuredHazard,
-    pub(crate) objects: Vec<ObjectRisk>,
-    pub(crate) portfolio: Option<Portfolio>,
-    pub(crate) measures: Option<Measures>,
+    /// Years of the stated probabilities.
+    pub years: f64,
+    /// The currency of all costs.
+    pub currency: Option<String>,
+    /// The hazard.
+    pub hazard: MeasuredHazard,
+    /// The objects.
+    pub objects: Vec<ObjectRisk>,
+    /// The losses of all of them together.
+    pub portfolio: Option<Portfolio>,
+    /// The options.
+    pub measures: Option<Measures>,
     /// Objects of the inventory that have no fragility.
-    pub(crate) not_run: Vec<NotRun>,
+    pub not_run: Vec<NotRun>,
     /// What was used because nobody stated it.
-    pub(crate) assumptions: Vec<String>,
-    pub(crate) inputs: Vec<InputFile>,
+    pub assumptions: Vec<String>,
+    /// The files that were read.
+    pub inputs: Vec<InputFile>,
     /// What to know beside the result.
     pub warnings: Vec<String>,
 }
@@ -80,7 +90,7 @@ impl RiskReport {
     }
 
     /// Expected annual loss of all objects with costs.
-    pub(crate) fn expected_annual_loss(&self) -> Option<f64> {
+    pub fn expected_annual_loss(&self) -> Option<f64> {
         let losses: Vec<f64> = self
             .objects
             .iter()
@@ -90,7 +100,7 @@ impl RiskReport {
     }
 
     /// The least and the most that the losses of all objects with costs can be together.
-    pub(crate) fn loss_bounds(&self) -> Option<(f64, Option<f64>)> {
+    pub fn loss_bounds(&self) -> Option<(f64, Option<f64>)> {
         let losses = self.objects.iter().filter_map(|object| object.loss);
         losses
             .map(|loss| (loss.least, loss.most))
@@ -98,7 +108,7 @@ impl RiskReport {
     }
 
     /// The loss of all objects that is stated: *at least* the least, where one of them has no most.
-    pub(crate) fn stated_loss(&self) -> Option<f64> {
+    pub fn stated_loss(&self) -> Option<f64> {
         let losses = self.objects.iter().filter_map(|object| object.loss);
         losses
             .map(|loss| loss.stated(self.is_at_least()))
@@ -106,7 +116,7 @@ impl RiskReport {
     }
 
     /// Whether only bounds of the losses of all objects together are known.
-    pub(crate) fn is_bound(&self) -> bool {
+    pub fn is_bound(&self) -> bool {
         self.loss_bounds().is_some_and(|(least, most)| {
             LossBounds {
                 least,
@@ -118,13 +128,14 @@ impl RiskReport {
     }
 
     /// Whether the losses may be larger than stated, because a rate of an object with costs may be.
-    pub(crate) fn is_at_least(&self) -> bool {
+    pub fn is_at_least(&self) -> bool {
         self.objects
             .iter()
             .any(|object| object.expected_annual_loss.is_some() && object.is_at_least)
     }
 
-    pub(crate) fn in_currency(&self) -> Option<InCurrency<'_>> {
+    /// The losses of all objects with their currency.
+    pub fn in_currency(&self) -> Option<InCurrency<'_>> {
         let (portfolio, currency) = (self.portfolio.as_ref()?, self.currency.as_deref());
         Some(InCurrency {
             portfolio,

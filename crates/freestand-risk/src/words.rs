@@ -2,28 +2,24 @@
 
 use freestand_input::words::{number, percent_significant};
 
-pub(crate) fn is_or_are(count: usize) -> &'static str {
+/// The verb after a number of things.
+pub fn is_or_are(count: usize) -> &'static str {
     if count == 1 { "is" } else { "are" }
 }
 
 /// An intensity with four digits, for a message.
-pub(crate) fn rounded_value(x: f64) -> f64 {
+pub fn rounded_value(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
 
 /// The words before a number that is a lower bound.
-pub(crate) fn least(is_at_least: bool) -> &'static str {
+pub fn least(is_at_least: bool) -> &'static str {
     if is_at_least { "at least " } else { "" }
 }
 
 /// A rate in words: how often, its 95 % interval if it has one, and the chance in a number of
 /// years.
-pub(crate) fn rate_words(
-    rate: f64,
-    ci95: Option<(f64, f64)>,
-    probability: f64,
-    years: &str,
-) -> String {
+pub fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
     let interval = |(low, high)| {
         format!(
             "; 95 % interval {} to {} a year",
@@ -41,12 +37,12 @@ pub(crate) fn rate_words(
 }
 
 /// `once in 475 years`; `None` for a rate of 0.
-pub(crate) fn once_in(rate: f64) -> Option<String> {
+pub fn once_in(rate: f64) -> Option<String> {
     (rate > 0.0).then(|| format!("once in {} years", rounded(1.0 / rate, 3)))
 }
 
 /// A number with a few significant digits, also before the decimal point: 10900, not 10932.
-pub(crate) fn rounded(value: f64, digits: usize) -> String {
+pub fn rounded(value: f64, digits: usize) -> String {
     let text = format!("{value:.*e}", digits.saturating_sub(1));
     number(text.parse().unwrap_or(value), digits)
 }

@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
 use freestand_output::json::document;
+use freestand_report::figures::curves_figure;
 use freestand_report::fragility::curves_text;
 use freestand_risk::export::ExportRequest;
 use freestand_risk::fragility::{FragilityRequest, fragility_watched};
@@ -82,7 +83,7 @@ fn fit(
         let json = document(SCHEMA, &report, &report.warnings)?;
         files.write("fragility.json", || json)?;
         stop.go_on()?;
-        files.figure("fragility", || report.figure())?;
+        files.figure("fragility", || curves_figure(&report))?;
         stop.go_on()?;
         write(exported.files, &files)?;
     }

@@ -3,13 +3,11 @@
 use freestand_app::fragility::{Runs, SCHEMA};
 use freestand_input::problem::Problem;
 use freestand_output::json::document;
+use freestand_report::figures::{curves_figure, ida_figure, measures_figure, residuals_figure};
 use freestand_report::fragility::runs_text;
 use freestand_risk::LEFT_OUT;
 use freestand_risk::export::ExportRequest;
-use freestand_risk::fragility::{
-    KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs, ida_figure, measures_figure,
-    residuals_figure,
-};
+use freestand_risk::fragility::{KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs};
 
 use super::Done;
 use super::assess::watched;
@@ -106,7 +104,7 @@ fn write_runs(
     files.write("fragility.json", || json)?;
     if let Some(first) = report.first() {
         go_on()?;
-        files.figure("fragility", || first.figure())?;
+        files.figure("fragility", || curves_figure(first))?;
     }
     go_on()?;
     files.figure("ida", || ida_figure(report))?;

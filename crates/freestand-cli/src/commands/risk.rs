@@ -3,7 +3,9 @@
 use clap::Args;
 use freestand_app::risk::{Meant, Risk, SCHEMA};
 use freestand_output::json::document;
-use freestand_risk::{owners_page, risk, risk_figure, text};
+use freestand_report::figures::risk_figure;
+use freestand_report::risk::{owners_page, risk_text};
+use freestand_risk::risk;
 
 use super::assess::watched;
 use super::{Done, Tell};
@@ -53,7 +55,7 @@ impl Tell for Risk {
             files.write("report.html", || owners_page(&report, figure.as_ref()))?;
         }
         files.finish_result(SCHEMA, &report.warnings)?;
-        printer.result(SCHEMA, &report, &report.warnings, || text(&report))?;
+        printer.result(SCHEMA, &report, &report.warnings, || risk_text(&report))?;
         Ok(Done {
             criterion_met: report.is_accepted(),
         })

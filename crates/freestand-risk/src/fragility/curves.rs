@@ -37,7 +37,7 @@ pub struct ObjectCurves {
     /// the curves are known.
     pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
     /// Why the object may fail more often than its curves say; `None`: that is not said.
-    pub(crate) caution: Option<TooMild>,
+    pub caution: Option<TooMild>,
     /// The line of its first curve in the file, from 1.
     pub line: usize,
 }
@@ -170,7 +170,7 @@ pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<String> {
 }
 
 /// Which objects may fail more often than their curves say: one sentence for each reason.
-pub(crate) fn cautions<'a>(
+pub fn cautions<'a>(
     objects: impl Iterator<Item = (&'a str, Option<TooMild>)> + Clone,
 ) -> Vec<String> {
     let said = TOO_MILD.iter().filter_map(|(why, _, words)| {

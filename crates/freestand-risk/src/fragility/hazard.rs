@@ -67,12 +67,17 @@ pub const HAZARD_CODES: Choices<HazardCode> = &[
 
 /// A hazard with its measure.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct MeasuredHazard {
-    pub(crate) hazard: Hazard,
-    pub(crate) measure: Measure,
-    pub(crate) at: At,
-    pub(crate) file: Option<InputFile>,
-    pub(crate) warnings: Vec<String>,
+pub struct MeasuredHazard {
+    /// The hazard.
+    pub hazard: Hazard,
+    /// Its measure.
+    pub measure: Measure,
+    /// Where it is taken.
+    pub at: At,
+    /// The file that it was read from.
+    pub file: Option<InputFile>,
+    /// What to know beside it.
+    pub warnings: Vec<String>,
 }
 
 impl MeasuredHazard {

@@ -2,7 +2,6 @@
 
 mod answer;
 mod curves;
-mod figure;
 mod hazard;
 pub mod measure;
 mod outcomes;
@@ -22,26 +21,27 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, name_of, significant};
 use freestand_output::facts::{Facts, table};
-use freestand_output::figure::{Figure, FigureError};
 use freestand_output::table::Table;
 use freestand_study::run::{Progress, Step, no_progress};
 use rayon::prelude::*;
 
 use freestand_inventory::too_mild::{TOO_MILD, TooMild};
 
+pub use curves::cautions;
+pub(crate) use curves::contradictions;
 use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
-pub(crate) use curves::{cautions, contradictions};
-pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, MeasuredHazard, hazard_of, number_and_unit};
+pub use hazard::MeasuredHazard;
+pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, hazard_of, number_and_unit};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
 pub use quality::Quality;
 pub use runs::{
-    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, GIVEN_ID, GivenObject,
-    KeepRuns, Limits, METHODS, Method, RunObjects, RunsReport, RunsRequest, StudyTold, file_name,
-    fragility_of_runs, ida_figure, measures, measures_figure, residuals_figure, scales,
+    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, Followed, GIVEN_ID,
+    GivenObject, KeepRuns, Limits, METHODS, Method, ObjectRuns, RunObjects, RunsReport,
+    RunsRequest, StudyTold, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
@@ -589,7 +589,7 @@ impl ObjectFragility {
     }
 
     /// The 95 % intervals of the median and of β.
-    pub(crate) fn interval(&self, state: LimitState) -> Option<((f64, f64), (f64, f64))> {
+    pub fn interval(&self, state: LimitState) -> Option<((f64, f64), (f64, f64))> {
         let interval = self.bootstrap.as_ref()?.interval(state)?;
         // Samples may have a curve where the whole has none.
         matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. })
@@ -709,14 +709,6 @@ impl FragilityReport {
             })
             .collect();
         table(rows)
-    }
-
-    /// The curves with what was seen, of the first six objects.
-    ///
-    /// # Errors
-    /// What the plot library says when it cannot draw.
-    pub fn figure(&self) -> Result<Figure, FigureError> {
-        figure::curves_figure(self)
     }
 }
 

@@ -17,7 +17,7 @@ pub struct Quality {
     /// p of the residuals against ln of PGV/PGA.
     pub p_velocity_over_acceleration: Option<f64>,
     /// ln of the mean period, ln of PGV/PGA and the residual, for each motion that has one.
-    pub(crate) residuals: Vec<[f64; 3]>,
+    pub residuals: Vec<[f64; 3]>,
 }
 
 impl Quality {

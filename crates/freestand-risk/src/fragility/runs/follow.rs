@@ -13,16 +13,16 @@ use freestand_assess::worlds::FloorOfWorld;
 
 /// One run.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Followed {
+pub struct Followed {
     /// Factor on the motion.
-    pub(super) scale_ratio: f64,
+    pub scale_ratio: f64,
     /// Why it could not be followed, in words.
-    pub(super) found: Result<NominalRun, String>,
+    pub found: Result<NominalRun, String>,
 }
 
 impl Followed {
     /// What the object did; `None`: the run could not be followed.
-    pub(super) fn run(&self) -> Option<NominalRun> {
+    pub fn run(&self) -> Option<NominalRun> {
         self.found.as_ref().ok().copied()
     }
 }

@@ -7,7 +7,6 @@
 
 mod answer;
 mod changed;
-mod figures;
 mod follow;
 mod kept;
 mod levels;
@@ -36,7 +35,7 @@ use super::measure::{At, Measure};
 use super::outcomes::OutcomeTable;
 use super::{FitMethod, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates, fitted};
 use changed::changed_item;
-use follow::{Followed, GoOn};
+use follow::GoOn;
 use freestand_assess::store::Store;
 use freestand_assess::verdict::Nominal;
 use freestand_inventory::Item;
@@ -46,7 +45,7 @@ use request::{DOUBTFUL_SCALE, MAX_MEASURES};
 use shaking::{FloorShaking, RatioFactors};
 
 pub use changed::{Change, ChangedObject};
-pub use figures::{ida_figure, measures_figure, residuals_figure};
+pub use follow::Followed;
 pub use report::RunsReport;
 pub use request::{
     DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects,
@@ -57,21 +56,24 @@ pub use table::file_name;
 
 /// One object and its runs.
 #[derive(Debug, Clone)]
-pub(super) struct ObjectRuns {
-    id: String,
-    nominal: Nominal,
+pub struct ObjectRuns {
+    /// Its identifier.
+    pub id: String,
+    /// The object as it is listed.
+    pub nominal: Nominal,
     factors: RatioFactors,
     /// Place of its floor among those with motions.
-    floor: usize,
+    pub floor: usize,
     /// For each motion its runs, by rising scale.
-    motions: Vec<Vec<Followed>>,
+    pub motions: Vec<Vec<Followed>>,
     /// For each motion the scale below which it does not lift the object; `None`: not known.
-    uplifts_ratio: Vec<Option<f64>>,
+    pub uplifts_ratio: Vec<Option<f64>>,
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
-    spans: Vec<Option<(f64, f64)>>,
-    has_tolerance: bool,
+    pub spans: Vec<Option<(f64, f64)>>,
+    /// Whether it has a tolerance.
+    pub has_tolerance: bool,
     /// Whether its tolerance also limits the rotation.
-    limits_rotation: bool,
+    pub limits_rotation: bool,
 }
 
 /// Runs objects under motions at many scales and fits their fragilities, on the current thread pool;

@@ -12,7 +12,9 @@ use freestand_output::table::Table;
 
 use std::sync::Arc;
 
+use super::super::measure::{At, Measure};
 use super::super::{FitMethod, FragilityReport};
+use super::follow::Followed;
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
 use super::shaking::FloorShaking;
@@ -32,9 +34,11 @@ pub struct RunsReport {
     pub(super) scales: Option<Vec<f64>>,
     /// What was added to the intensities of stripes for a hazard.
     pub(super) added: Option<Added>,
-    pub(super) rotation_ratio: Option<f64>,
+    /// Rotation over α beyond which a tolerance is exceeded.
+    pub rotation_ratio: Option<f64>,
     pub(super) fit: FitMethod,
-    pub(super) objects: Vec<ObjectRuns>,
+    /// The objects with their runs.
+    pub objects: Vec<ObjectRuns>,
     pub(super) floors: Vec<Vec<FloorShaking>>,
     pub(super) left_out: Vec<LeftOut>,
     pub(super) inputs: Vec<InputFile>,
@@ -171,6 +175,24 @@ impl RunsReport {
     /// The sentence that says whose building this is, where no study was given.
     pub fn no_study(&self) -> Option<&String> {
         self.study.as_ref()?.no_study.as_ref()
+    }
+
+    /// The runs of each motion of an object, with their intensities by the first measure.
+    pub fn intensities<'r>(
+        &'r self,
+        one: &'r ObjectRuns,
+        measure: Measure,
+        at: At,
+    ) -> impl Iterator<Item = Vec<(f64, &'r Followed)>> {
+        let shakings = self.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
+        shakings
+            .iter()
+            .zip(&one.motions)
+            .filter_map(move |(shaking, runs)| {
+                let unit = shaking.intensity(measure, 0, at, one.factors)?;
+                let each = runs.iter().map(|run| (unit * run.scale_ratio, run));
+                Some(each.collect())
+            })
     }
 
     /// The report by the first measure, for other programs.

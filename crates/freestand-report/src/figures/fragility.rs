@@ -12,7 +12,7 @@ use freestand_output::figure::style::{
 };
 use freestand_output::figure::{Figure, FigureError};
 
-use super::{FragilityReport, ObjectFragility};
+use freestand_risk::fragility::{FragilityReport, ObjectFragility};
 
 /// The most objects that a page shows.
 const MAX_PANELS: usize = 6;
@@ -21,7 +21,11 @@ const PANEL_PX: f64 = 330.0;
 /// Points of a curve.
 const POINTS: usize = 160;
 
-pub(super) fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureError> {
+/// The curves with what was seen, of the first six objects.
+///
+/// # Errors
+/// What the plot library says when it cannot draw.
+pub fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureError> {
     let shown: Vec<&ObjectFragility> = report.objects.iter().take(MAX_PANELS).collect();
     let measure = report.table.measure.with_unit();
     let panels: Vec<Panel> = shown.iter().map(|object| panel(object, &measure)).collect();

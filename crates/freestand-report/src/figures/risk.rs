@@ -10,9 +10,9 @@ use freestand_output::figure::style::{
 };
 use freestand_output::figure::{Figure, FigureError};
 
-use super::plan::Chosen;
-use super::portfolio::Portfolio;
-use super::report::RiskReport;
+use freestand_risk::RiskReport;
+use freestand_risk::plan::Chosen;
+use freestand_risk::portfolio::Portfolio;
 
 /// Height of the panels \[px\].
 const PANEL_PX: f64 = 300.0;

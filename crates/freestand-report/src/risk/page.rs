@@ -9,14 +9,15 @@ use freestand_output::html::{
     CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, opening, paragraph, table, words,
 };
 
-use crate::fragility::{At, Measure, cautions};
 use freestand_inventory::Rating;
+use freestand_risk::fragility::{At, Measure, cautions};
 
-use super::costs::CostRow;
-use super::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
-use super::plan::Chosen;
-use super::report::RiskReport;
-use super::words::{least, once_in, rounded};
+use super::text::unfunded_words;
+use freestand_risk::RiskReport;
+use freestand_risk::costs::CostRow;
+use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
+use freestand_risk::plan::Chosen;
+use freestand_risk::words::{least, once_in, rounded};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -375,7 +376,7 @@ fn plan(report: &RiskReport) -> String {
             format!(" What {many} options save is not known, so that they are not in the plan.")
         }
     };
-    if let Some(words) = plan.unfunded_words(currency) {
+    if let Some(words) = unfunded_words(plan, currency) {
         html.push_str(&paragraph(&format!(
             "{words}: the budget does not reach what people need."
         )));

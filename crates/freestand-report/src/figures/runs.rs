@@ -14,11 +14,8 @@ use freestand_output::figure::{Figure, FigureError};
 use kuva::plot::scatter::MarkerShape;
 use kuva::render::layout::TickFormat;
 
-use super::follow::Followed;
-use super::{ObjectRuns, RunsReport};
-use crate::fragility::FragilityReport;
-use crate::fragility::figure::place;
-use crate::fragility::measure::{At, Measure};
+use super::fragility::place;
+use freestand_risk::fragility::{At, Followed, FragilityReport, Measure, ObjectRuns, RunsReport};
 
 /// The most objects that a page shows.
 const MAX_OBJECTS: usize = 3;
@@ -103,31 +100,10 @@ fn of_objects(count: usize) -> String {
     format!("{} {verb}", counted(count, "object"))
 }
 
-/// The runs of each motion with their intensities by the first measure.
-fn intensities<'r>(
-    report: &'r RunsReport,
-    one: &'r ObjectRuns,
-    measure: Measure,
-    at: At,
-) -> impl Iterator<Item = Vec<(f64, &'r Followed)>> {
-    let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
-    shakings
-        .iter()
-        .zip(&one.motions)
-        .filter_map(move |(shaking, runs)| {
-            let unit = shaking.intensity(measure, 0, at, one.factors)?;
-            Some(
-                runs.iter()
-                    .map(|run| (unit * run.scale_ratio, run))
-                    .collect(),
-            )
-        })
-}
-
 /// An axis that holds all runs up to the strongest motion that overturns the object.
 fn intensity_axis(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Axis {
     let (mut of_capacities, mut of_all) = (0.0_f64, 0.0_f64);
-    for runs in intensities(report, one, measure, at) {
+    for runs in report.intensities(one, measure, at) {
         let first = runs
             .iter()
             .find(|(_, run)| class(run) == Some(OutcomeClass::Overturned));
@@ -156,7 +132,7 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
     };
     let to = x.to;
     let (mut plots, mut firsts) = (Vec::new(), Vec::new());
-    for runs in intensities(report, one, measure, at) {
+    for runs in report.intensities(one, measure, at) {
         let mut points = Vec::new();
         for (x, run) in runs.iter().filter(|(x, _)| *x <= to) {
             let Some(of_run) = run.run() else { continue };
@@ -187,7 +163,7 @@ fn shocks(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Pa
     let ceiling_g = one.nominal.ceiling_g();
     let mut plots = Vec::new();
     let mut most = ceiling_g.unwrap_or(0.0);
-    for runs in intensities(report, one, measure, at) {
+    for runs in report.intensities(one, measure, at) {
         let upright = runs
             .iter()
             .take_while(|(x, run)| *x <= to && class(run) != Some(OutcomeClass::Overturned));
