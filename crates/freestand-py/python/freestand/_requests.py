@@ -196,7 +196,7 @@ def restrain(
     storeys, storey_height_m : optional
         The building: number of storeys and height of a storey [m].
     importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
-        Factors of the clause, in place of its usual values: docs/codes.md.
+        Factors of the clause, in place of its usual values: docs/restraint.md.
     component : str, optional
         What the object is in the tables of ASCE 7, such as "generator".
     anchor_inset_m : float, optional
@@ -273,7 +273,7 @@ def restrain_list(
     storeys, storey_height_m : optional
         The building: number of storeys and height of a storey [m].
     importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
-        Factors of the clause, in place of its usual values: docs/codes.md.
+        Factors of the clause, in place of its usual values: docs/restraint.md.
     anchor_inset_m : float, optional
         Distance of the anchors from the edge that they hold down [m].
     anchors_per_edge : int, optional
