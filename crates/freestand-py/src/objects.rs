@@ -9,6 +9,7 @@ use freestand_assess::one_object::one_object;
 use freestand_assess::restrain::{restrain as restrained, restrain_list as restrained_list};
 use freestand_input::problem::Problems;
 use freestand_output::answer::Answer as _;
+use freestand_report::object::object_report;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -46,7 +47,7 @@ pub(crate) fn check_object(
     let report = watched(py, threads, |stop| {
         one_object(&meant.object, &|| stop.load(Ordering::Relaxed))
     })?;
-    let report = report.map_err(raised)?;
+    let report = object_report(&meant.object, report.map_err(raised)?);
     told(SCHEMA, &report, &report.warnings)
 }
 

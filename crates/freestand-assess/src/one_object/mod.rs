@@ -4,31 +4,28 @@
 //! study; [`one_object`] lets the object live through its worlds as [`crate::job`] does, and `sentence` says
 //! what comes out.
 
-mod report;
 mod row;
-mod sentence;
 mod shaking;
+mod told;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
-use freestand_study::places::Place;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
+use freestand_study::study::Study;
 
 use crate::result::Assessment;
 use crate::two_spectra::{decides, is_worse};
-use crate::verdict::{Context, Member, Subject, Tally, assess_one};
-pub use crate::verdict::{Follow, Shown, ShownEarthquake};
+use crate::verdict::{Context, Member, Subject, assess_one};
+pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
 
-pub use report::AtScale;
-pub use sentence::AnswerKind;
-use sentence::Withstands;
 pub use shaking::check_place;
+pub use told::NamedEarthquake;
 
 /// Schema of the document of `freestand object`.
 pub const SCHEMA: &str = "freestand.object/1";
@@ -163,34 +160,36 @@ pub enum FloorPlace {
     Share(f64),
 }
 
-/// The answer about one object.
+/// What became of one object.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ObjectReport {
-    /// One sentence.
-    pub answer: String,
-    /// What it says.
-    pub kind: AnswerKind,
-    /// The object under its motions at each scale.
+pub struct ObjectResult {
+    /// The study that shook it.
+    pub study: Study,
+    /// Its earthquake, as an answer names it.
+    pub earthquake: NamedEarthquake,
+    /// Its earthquake in full.
+    pub earthquake_words: String,
+    /// The object, as a list has it.
+    pub item: Item,
+    /// The object under its motions.
+    pub at_one: AtScale,
+    /// The object under its motions at each scale that was asked for.
     pub scales: Vec<AtScale>,
-    /// Warnings.
+    /// What is doubtful about the request.
     pub warnings: Vec<String>,
-    /// The earthquake in words.
-    earthquake: String,
-    /// What its motions are called.
-    noun: &'static str,
-    /// The building in words, of an object above the ground.
-    building: Option<String>,
-    level_ratio: Option<f64>,
-    place: Option<&'static Place>,
-    is_round: bool,
-    place_is_assumed: bool,
-    building_is_assumed: bool,
-    /// What nobody stated.
-    assumptions: Vec<String>,
-    withstands: Option<Withstands>,
-    units: UnitSystem,
-    found: Assessment,
-    tally: Tally,
+    /// That a spectrum of the national annex decides, where it has two and the second is the worse.
+    pub decides: Option<String>,
+}
+
+/// An object under its motions, all multiplied by a scale.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AtScale {
+    /// The scale.
+    pub scale_ratio: f64,
+    /// Its assessment.
+    pub found: Assessment,
+    /// What its worlds add up to.
+    pub tally: Tally,
 }
 
 /// Assesses one object, on the current thread pool. Nothing is written.
@@ -203,7 +202,7 @@ pub struct ObjectReport {
 pub fn one_object(
     request: &ObjectRequest,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<ObjectReport, Problems> {
+) -> Result<ObjectResult, Problems> {
     Ok(one_object_shown(request, &Memory::default(), None, wants_to_stop)?.0)
 }
 
@@ -217,36 +216,22 @@ pub fn one_object_shown(
     memory: &Memory,
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<(ObjectReport, Option<Shown>), Problems> {
+) -> Result<(ObjectResult, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
     let other = shaken.alternative();
-    let mut one = in_study(request, shaken, memory, follow, wants_to_stop)?;
+    let one = in_study(request, shaken, memory, follow, wants_to_stop)?;
     let Some(other) = other else {
-        return Ok(one.told());
+        return Ok(one);
     };
     let decides = decides(&other.study);
     // Motions of one spectrum must not serve for the other.
-    let mut other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
-    if is_worse(&other.item, &one.found, &other.found) {
-        other.report.warnings.push(format!("the {decides}"));
-        one = other;
+    let other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
+    if !is_worse(&other.0.item, &one.0.at_one.found, &other.0.at_one.found) {
+        return Ok(one);
     }
-    Ok(one.told())
-}
-
-/// One object in one study.
-struct InStudy {
-    item: Item,
-    found: Assessment,
-    report: ObjectReport,
-    shown: Option<Shown>,
-}
-
-impl InStudy {
-    fn told(self) -> (ObjectReport, Option<Shown>) {
-        (self.report, self.shown)
-    }
+    let decides = Some(format!("the {decides}"));
+    Ok((ObjectResult { decides, ..other.0 }, other.1))
 }
 
 /// As [`one_object_shown`], in one study.
@@ -256,7 +241,7 @@ fn in_study(
     memory: &Memory,
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<InStudy, Problems> {
+) -> Result<(ObjectResult, Option<Shown>), Problems> {
     let mut row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
     let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
@@ -283,31 +268,40 @@ fn in_study(
         let hint = "name a floor whose motions the study gives, or give the study a building";
         return Err(Problem::value("the study has no motion for this floor", hint).into());
     }
-    let at = |scale: f64, follow| -> Result<(Assessment, Tally, Option<Shown>), Problems> {
-        assess_one(
-            &Context::new(&shaken.study, worlds.at_intensity(scale), 1, wants_to_stop),
-            &member,
-            follow,
-        )
+    let at = |scale_ratio: f64, follow| -> Result<(AtScale, Option<Shown>), Problems> {
+        let worlds = worlds.at_intensity(scale_ratio);
+        let context = Context::new(&shaken.study, worlds, 1, wants_to_stop);
+        let (found, tally, shown) = assess_one(&context, &member, follow)?;
+        let at = AtScale {
+            scale_ratio,
+            found,
+            tally,
+        };
+        Ok((at, shown))
     };
-    let (found, tally, shown) = at(1.0, follow)?;
+    let (at_one, shown) = at(1.0, follow)?;
     let mut scales = Vec::new();
     if let Earthquake::Motions {
         scales: factors, ..
     } = &request.earthquake
     {
         for scale in factors {
-            let (found, tally, _) = at(*scale, None)?;
-            scales.push((*scale, (found, tally)));
+            scales.push(at(*scale, None)?.0);
         }
     }
-    let report = report::report(request, &shaken, &row, (found.clone(), tally), scales);
-    Ok(InStudy {
+    let mut warnings = shaken.warnings;
+    warnings.extend(row.warnings);
+    let result = ObjectResult {
+        study: shaken.study,
+        earthquake: shaken.told,
+        earthquake_words: shaken.words,
         item: row.item,
-        found,
-        report,
-        shown,
-    })
+        at_one,
+        scales,
+        warnings,
+        decides: None,
+    };
+    Ok((result, shown))
 }
 
 /// What the parts of a request contradict; motions and studies are not looked at.

@@ -7,8 +7,7 @@ use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, Spectrum
 use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::UnitSystem;
-use freestand_input::words::{counted, number};
+use freestand_input::words::number;
 use freestand_records::notes::grouped;
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
@@ -17,7 +16,7 @@ use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
 
-use super::sentence::Told;
+use super::told::NamedEarthquake;
 use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
 
 /// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
@@ -27,7 +26,7 @@ const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B
 #[derive(Clone)]
 pub(super) struct Shaken {
     pub(super) study: Study,
-    pub(super) told: Told,
+    pub(super) told: NamedEarthquake,
     /// Its earthquake in full.
     pub(super) words: String,
     pub(super) warnings: Vec<String>,
@@ -98,7 +97,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             Shaken {
                 warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
                 study,
-                told: Told::GroundAcceleration { peak_g },
+                told: NamedEarthquake::GroundAcceleration { peak_g },
                 words,
             }
         }
@@ -127,7 +126,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             as_given(&mut study.assessment, motions.len())?;
             Shaken {
                 study,
-                told: Told::Motions,
+                told: NamedEarthquake::Motions,
                 words,
                 warnings,
             }
@@ -213,7 +212,7 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
         }
         _ => {
             let motions = study.ground.names(&study.levels).len();
-            let told = Told::MotionsOfStudy {
+            let told = NamedEarthquake::MotionsOfStudy {
                 motions,
                 study: own.clone(),
             };
@@ -228,7 +227,7 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
     }
 }
 
-fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
+fn told_target(target: &Target, names_site: bool, study: &str) -> NamedEarthquake {
     let years = target.spectrum.return_period_years();
     let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
     let noun = if is_eurocode8 { "ground" } else { "site" };
@@ -238,7 +237,7 @@ fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
         .filter(|_| names_site || !is_eurocode8);
     let site = site.map(|site| format!("{noun} {site}"));
     match target.place {
-        Some(place) => Told::Place {
+        Some(place) => NamedEarthquake::Place {
             name: place.name.to_owned(),
             code: place.hazard.code_title().to_owned(),
             years,
@@ -251,27 +250,11 @@ fn told_target(target: &Target, names_site: bool, study: &str) -> Told {
                 .into_iter()
                 .flatten()
                 .collect();
-            Told::Study {
+            NamedEarthquake::Study {
                 words: format!("the earthquake of {study} ({})", details.join(", ")),
             }
         }
     }
-}
-
-/// The building in words: `30 storeys of 3.2 m, T₁ = 1.92 s (…)`.
-pub(super) fn building_words(study: &Study, units: UnitSystem) -> Option<String> {
-    let building = study.building.as_ref()?;
-    let storey = building
-        .storey_height_m
-        .map_or_else(String::new, |height_m| {
-            format!(" of {}", units.storey(height_m))
-        });
-    Some(format!(
-        "{}{storey}, first period {} s by {}",
-        counted(building.storeys, "storey"),
-        number(building.along.period_s(), 3),
-        building.period_note
-    ))
 }
 
 #[cfg(test)]
@@ -292,7 +275,7 @@ mod tests {
             floor,
             worlds: Some(7),
             seed,
-            units: UnitSystem::Si,
+            units: freestand_input::quantity::UnitSystem::Si,
         })
         .unwrap()
     }

@@ -48,9 +48,10 @@ use trial::Trial;
 pub(crate) use comparisons::restraint_of;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{Nominal, NominalRun};
-pub(crate) use object::{Subject, middle};
+pub(crate) use object::Subject;
+pub use object::middle;
 pub use outcomes::{OutcomeRow, WriteOutcomes};
-pub(crate) use tally::Tally;
+pub use tally::Tally;
 
 /// What all objects share.
 pub(crate) struct Context<'a> {

@@ -133,7 +133,7 @@ pub(super) struct Upper {
 }
 
 /// The middle of a range.
-pub(crate) fn middle((low, high): (f64, f64)) -> f64 {
+pub fn middle((low, high): (f64, f64)) -> f64 {
     0.5 * (low + high)
 }
 

@@ -10,28 +10,28 @@ use super::trial::{Question, Trial};
 
 /// The worlds of one object, counted. In a world both models are asked where it has pads.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// Worlds.
-    pub(crate) worlds: u32,
+    pub worlds: u32,
     /// Worlds in which a model that is asked could not follow it.
-    pub(crate) failed: u32,
+    pub failed: u32,
     /// Worlds in which an edge lifts, by either model.
-    pub(crate) lifted: u32,
+    pub lifted: u32,
     /// Worlds by the model that decides whether it falls.
-    pub(crate) asked: u32,
+    pub asked: u32,
     /// Worlds in which it falls by that model.
-    pub(crate) overturned: u32,
+    pub overturned: u32,
     /// Worlds in which it is left standing and its tolerance is exceeded, by the model with more of
     /// them; `None`: it has no tolerance.
-    pub(crate) exceeded: Option<u32>,
+    pub exceeded: Option<u32>,
     /// Largest uplift of the worlds that do not overturn it \[m\]; `None`: no edge lifts there.
-    pub(crate) uplift_m_max: Option<f64>,
+    pub uplift_m_max: Option<f64>,
     /// Largest shock of the worlds that do not overturn it, with the errors of the models \[g\];
     /// `None`: mass or pads are not known, or nothing lands.
-    pub(crate) shock_g_max: Option<f64>,
+    pub shock_g_max: Option<f64>,
     /// Steady floor acceleration that lifts an edge on a rigid base, half the base over the height
     /// of the centre of gravity, about the axis where it is smaller \[g\].
-    pub(crate) lift_g: f64,
+    pub lift_g: f64,
 }
 
 /// Counts the worlds of a trial.

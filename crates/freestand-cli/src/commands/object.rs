@@ -3,7 +3,7 @@
 use clap::Args;
 use freestand_app::object::{Meant, Object, SCHEMA};
 use freestand_assess::one_object::one_object_shown;
-use freestand_report::object::object_text;
+use freestand_report::object::{object_report, object_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -41,7 +41,8 @@ impl Tell for Object {
             session.and_then(Session::follow),
         );
         let shown = one_object_shown(&object, &memory, follow.as_ref(), &|| stop.wanted());
-        let (report, shown) = shown?;
+        let (result, shown) = shown?;
+        let report = object_report(&object, result);
         if let Some((session, shown)) = session.zip(shown.as_ref()) {
             session.beside(shown);
         }

@@ -9,10 +9,11 @@ use std::path::Path;
 use freestand_app::job::{Job, assess_into};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_assess::one_object::{
-    Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, one_object,
+    Earthquake, Floor, FloorPlace, Object, ObjectRequest, one_object,
 };
 use freestand_input::quantity::UnitSystem;
 use freestand_report::assessment::JobReport;
+use freestand_report::object::{ObjectReport, object_report};
 use freestand_study::resolve::{Overrides, builtin, resolve_with};
 use freestand_study::run::no_progress;
 use freestand_study::study::Study;
@@ -91,18 +92,15 @@ fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) ->
         storeys: Some(storeys),
         storey_height_m: None,
     };
-    one_object(
-        &ObjectRequest {
-            object,
-            earthquake,
-            floor,
-            worlds,
-            seed: None,
-            units: UnitSystem::Si,
-        },
-        &|| false,
-    )
-    .unwrap()
+    let request = ObjectRequest {
+        object,
+        earthquake,
+        floor,
+        worlds,
+        seed: None,
+        units: UnitSystem::Si,
+    };
+    object_report(&request, one_object(&request, &|| false).unwrap())
 }
 
 fn json(report: &ObjectReport) -> serde_json::Value {

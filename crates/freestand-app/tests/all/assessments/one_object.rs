@@ -10,14 +10,14 @@ use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand_app::job::{Job, assess_into};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_assess::one_object::{
-    AnswerKind, Earthquake, Floor, FloorPlace, Object, ObjectReport, ObjectRequest, RestsOn,
-    Withstood, one_object,
+    Earthquake, Floor, FloorPlace, Object, ObjectRequest, RestsOn, Withstood, one_object,
 };
 use freestand_input::keys::Words;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::shortest;
 use freestand_inventory::{Casters, Surroundings};
 use freestand_output::answer::Answer as _;
+use freestand_report::object::{AnswerKind, ObjectReport, object_report};
 use freestand_study::recorded::{MotionFiles, ReadMotion, read_all};
 use freestand_study::resolve::StudySource;
 use freestand_study::resolve::{Overrides, load};
@@ -41,7 +41,7 @@ fn request(object: Object, earthquake: Earthquake, floor: Floor) -> ObjectReques
 }
 
 fn answer(request: &ObjectRequest) -> ObjectReport {
-    one_object(request, &|| false).unwrap()
+    object_report(request, one_object(request, &|| false).unwrap())
 }
 
 fn place(name: &str) -> Earthquake {
@@ -660,7 +660,7 @@ fn what_contradicts_itself_is_refused_at_once() {
     );
     // Half a storey is a floor whose height is assumed: that is said, and it is used.
     let asked = request(Object::of_size(2.0, 0.3), place("Athens"), six("mezzanine"));
-    let report = one_object(&asked, &|| false).unwrap();
+    let report = answer(&asked);
     let said = "`floor` \"mezzanine\" is half a storey; it was taken as the one above the ground; give `level_ratio`";
     let says = |warning: &String| warning.starts_with(said);
     assert!(report.warnings.iter().any(says), "{:?}", report.warnings);

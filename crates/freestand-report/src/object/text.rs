@@ -1,9 +1,9 @@
 //! What becomes of one object.
 
-use freestand_assess::one_object::{AtScale, ObjectReport};
 use freestand_input::quantity::UnitSystem;
 use freestand_output::answer::Answer as _;
 
+use super::report::{ObjectReport, Scaled};
 use crate::table::{lines, table};
 
 /// The unit of uplifts, and of the headings of the table by scale.
@@ -27,7 +27,7 @@ fn scale_headings(units: UnitSystem) -> (&'static str, [&'static str; 7]) {
 }
 
 /// A row of that table.
-fn at_scale(row: &AtScale, length: &str) -> Vec<String> {
+fn at_scale(row: &Scaled, length: &str) -> Vec<String> {
     let facts = row.facts();
     let columns = [
         ("scale_ratio", "", 0),

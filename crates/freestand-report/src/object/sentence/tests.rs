@@ -2,9 +2,9 @@
 
 use super::*;
 
-fn place(name: &str, code: &str, years: Option<u32>, site: Option<&str>) -> Told {
+fn place(name: &str, code: &str, years: Option<u32>, site: Option<&str>) -> NamedEarthquake {
     let (name, code, site) = (name.to_owned(), code.to_owned(), site.map(str::to_owned));
-    Told::Place {
+    NamedEarthquake::Place {
         name,
         code,
         years,
@@ -25,7 +25,7 @@ fn counts(motions: u32, lifted: u32, overturned: u32) -> Counts {
     }
 }
 
-fn answer(earthquake: Told, counts: Counts) -> Answer {
+fn answer(earthquake: NamedEarthquake, counts: Counts) -> Answer {
     let kind = AnswerKind::of(&counts, 0.1, None);
     Answer {
         kind,
@@ -64,7 +64,7 @@ fn travel_against_clearance() {
         };
         Answer {
             withstands: TEN_G,
-            ..answer(Told::GroundAcceleration { peak_g: 0.5 }, counts)
+            ..answer(NamedEarthquake::GroundAcceleration { peak_g: 0.5 }, counts)
         }
         .sentence()
     };
@@ -72,7 +72,7 @@ fn travel_against_clearance() {
     let in_us = Answer {
         units: UnitSystem::Us,
         ..answer(
-            Told::Motions,
+            NamedEarthquake::Motions,
             Counts {
                 rolled: Some(Rolled {
                     clearance_m: Some(0.2),
@@ -131,7 +131,7 @@ fn travel_against_clearance() {
         ..counts(1, 0, 0)
     };
     assert_eq!(
-        answer(Told::Motions, one).sentence(),
+        answer(NamedEarthquake::Motions, one).sentence(),
         "Under this motion this object rolls and stays standing: by up to 200 mm; it meets the stop at 200 mm at up to \
          1.1 m/s, and a stop overturns it from 1.9 m/s."
     );
@@ -142,7 +142,7 @@ fn travel_against_clearance() {
 fn leaning_is_told() {
     let tell = |leaning, counts: Counts| {
         answer(
-            Told::GroundAcceleration { peak_g: 0.5 },
+            NamedEarthquake::GroundAcceleration { peak_g: 0.5 },
             Counts { leaning, ..counts },
         )
         .sentence()
@@ -157,7 +157,7 @@ fn leaning_is_told() {
     );
     assert!(tell(1, counts(20, 18, 1)).ends_with("overturns it; it then leans on its wall."));
     let one = answer(
-        Told::Motions,
+        NamedEarthquake::Motions,
         Counts {
             leaning: 1,
             ..counts(1, 1, 1)
@@ -174,7 +174,7 @@ fn leaning_is_told() {
 fn the_body_of_a_stack_that_falls_first_is_told() {
     let tell = |upper: u32, counts: Counts| {
         answer(
-            Told::GroundAcceleration { peak_g: 0.5 },
+            NamedEarthquake::GroundAcceleration { peak_g: 0.5 },
             Counts {
                 upper_falls: Some(upper),
                 ..counts
@@ -192,7 +192,7 @@ fn the_body_of_a_stack_that_falls_first_is_told() {
     );
     assert!(!tell(0, counts(20, 18, 0)).contains("first"));
     let one = answer(
-        Told::Motions,
+        NamedEarthquake::Motions,
         Counts {
             upper_falls: Some(1),
             ..counts(1, 1, 1)
@@ -222,7 +222,7 @@ fn the_sentences_that_were_asked_for() {
         },
     );
     let two = answer(
-        Told::Motions,
+        NamedEarthquake::Motions,
         Counts {
             uplift_m_max: Some(0.0312),
             ..counts(6, 4, 0)
@@ -248,9 +248,12 @@ fn the_sentences_that_were_asked_for() {
     };
     let five = Answer {
         probability: p(1.0, 0.79, 1.0),
-        ..answer(Told::GroundAcceleration { peak_g: 0.8 }, counts(20, 20, 20))
+        ..answer(
+            NamedEarthquake::GroundAcceleration { peak_g: 0.8 },
+            counts(20, 20, 20),
+        )
     };
-    let athens = Told::Place {
+    let athens = NamedEarthquake::Place {
         name: "Athens".to_owned(),
         code: "Eurocode 8".to_owned(),
         years: None,
@@ -323,26 +326,26 @@ fn every_kind_under_every_earthquake() {
             "simulated earthquakes",
         ),
         (
-            Told::GroundAcceleration { peak_g: 0.3 },
+            NamedEarthquake::GroundAcceleration { peak_g: 0.3 },
             "At a ground acceleration of 0.3 g",
             "simulated earthquakes",
         ),
         (
-            Told::Study {
+            NamedEarthquake::Study {
                 words: "the earthquake of s.toml (EC8)".to_owned(),
             },
             "Under the earthquake of s.toml (EC8) on the ground",
             "simulated earthquakes",
         ),
         (
-            Told::MotionsOfStudy {
+            NamedEarthquake::MotionsOfStudy {
                 motions: 7,
                 study: "s.toml".to_owned(),
             },
             "Under the 7 motions of s.toml on the ground",
             "simulations",
         ),
-        (Told::Motions, "Under these 40 motions", ""),
+        (NamedEarthquake::Motions, "Under these 40 motions", ""),
     ];
     let of_kind = [
         (counts(40, 0, 0), "rocks in none of "),
@@ -453,13 +456,13 @@ fn kinds_at_their_limits() {
 
 #[test]
 fn one_and_all_are_told_as_people_do() {
-    let tell = |earthquake: &Told, counts| answer(earthquake.clone(), counts).sentence();
+    let tell = |earthquake: &NamedEarthquake, counts| answer(earthquake.clone(), counts).sentence();
     let one = Counts {
         uplift_m_max: Some(0.1234),
         ..counts(1, 1, 0)
     };
     assert_eq!(
-        tell(&Told::Motions, one),
+        tell(&NamedEarthquake::Motions, one),
         "Under this motion this object stays standing: it lifts an edge, by 123 mm."
     );
     for (uplift_m, said) in [
@@ -473,13 +476,13 @@ fn one_and_all_are_told_as_people_do() {
         };
         let whole = format!(": 4 lift an edge, by {said}, and none overturns it.");
         assert!(
-            tell(&Told::Motions, barely).ends_with(&whole),
+            tell(&NamedEarthquake::Motions, barely).ends_with(&whole),
             "{}",
-            tell(&Told::Motions, barely)
+            tell(&NamedEarthquake::Motions, barely)
         );
     }
     assert_eq!(
-        tell(&Told::Motions, counts(1, 1, 1)),
+        tell(&NamedEarthquake::Motions, counts(1, 1, 1)),
         "Under this motion this object falls over."
     );
     let still = Counts {
@@ -488,14 +491,14 @@ fn one_and_all_are_told_as_people_do() {
     };
     let said = "Under this motion, this object does not rock: the floor reaches 0.1 g and it takes 0.21 g to lift an \
                 edge.";
-    assert_eq!(tell(&Told::Motions, still), said);
+    assert_eq!(tell(&NamedEarthquake::Motions, still), said);
     assert!(
-        tell(&Told::Motions, counts(6, 6, 0))
+        tell(&NamedEarthquake::Motions, counts(6, 6, 0))
             .ends_with(": all 6 lift an edge, and none overturns it.")
     );
-    assert!(tell(&Told::Motions, counts(6, 6, 1)).ends_with(": 1 overturns it."));
-    assert!(tell(&Told::Motions, counts(6, 6, 6)).ends_with(": all 6 overturn it."));
-    let peak = Told::GroundAcceleration { peak_g: 0.5 };
+    assert!(tell(&NamedEarthquake::Motions, counts(6, 6, 1)).ends_with(": 1 overturns it."));
+    assert!(tell(&NamedEarthquake::Motions, counts(6, 6, 6)).ends_with(": all 6 overturn it."));
+    let peak = NamedEarthquake::GroundAcceleration { peak_g: 0.5 };
     assert!(
         tell(&peak, counts(1, 1, 1))
             .ends_with("falls over: the one simulated earthquake overturns it.")
@@ -511,7 +514,7 @@ fn one_and_all_are_told_as_people_do() {
 #[test]
 fn no_uplift_above_the_threshold() {
     let told = answer(
-        Told::Motions,
+        NamedEarthquake::Motions,
         Counts {
             floor_g_max: 0.25,
             ..counts(6, 0, 0)
@@ -522,7 +525,7 @@ fn no_uplift_above_the_threshold() {
         "Under these 6 motions, this object rocks in none of them: none lifts an edge."
     );
     let near = answer(
-        Told::Motions,
+        NamedEarthquake::Motions,
         Counts {
             floor_g_max: 0.2096,
             ..counts(6, 0, 0)
@@ -541,7 +544,7 @@ fn what_it_withstands() {
     let tell = |counts: Counts, withstands: Option<Withstands>| {
         Answer {
             withstands,
-            ..answer(Told::GroundAcceleration { peak_g: 0.3 }, counts)
+            ..answer(NamedEarthquake::GroundAcceleration { peak_g: 0.3 }, counts)
         }
         .sentence()
     };

@@ -3,7 +3,8 @@
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 
-use crate::result::{Probability, Rolled, TooMild};
+use freestand_assess::one_object::NamedEarthquake;
+use freestand_assess::result::{Probability, Rolled, TooMild};
 
 /// What the answer says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr, strum::VariantArray)]
@@ -61,43 +62,6 @@ impl AnswerKind {
             Self::Falls => "falls over",
         }
     }
-}
-
-/// The earthquake that a sentence names.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Told {
-    /// The hazard of a place.
-    Place {
-        /// Its name.
-        name: String,
-        /// Its code in print.
-        code: String,
-        /// The return period, if the code has one \[years\].
-        years: Option<u32>,
-        /// The site, such as `site De`.
-        site: Option<String>,
-        /// Whether the hazard was recalled and not read.
-        is_approximate: bool,
-    },
-    /// A peak acceleration of the ground.
-    GroundAcceleration {
-        /// The peak \[g\].
-        peak_g: f64,
-    },
-    /// The earthquake of a study that names no place, such as `the earthquake of hospital.toml (…)`.
-    Study {
-        /// The earthquake in words.
-        words: String,
-    },
-    /// The records or simulated motions of a study, which its worlds use in turn.
-    MotionsOfStudy {
-        /// How many.
-        motions: usize,
-        /// The study.
-        study: String,
-    },
-    /// Motions of the floor itself.
-    Motions,
 }
 
 /// The floor that a sentence names.
@@ -171,7 +135,7 @@ const LEAST_UPLIFT_M: f64 = 1e-3;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Answer {
     pub(super) kind: AnswerKind,
-    pub(super) earthquake: Told,
+    pub(super) earthquake: NamedEarthquake,
     pub(super) floor: ToldFloor,
     pub(super) counts: Counts,
     /// That it is overturned.
@@ -211,11 +175,11 @@ impl Answer {
     fn kind_words(&self) -> String {
         let motions = self.counts.motions;
         match (self.kind, &self.earthquake) {
-            (AnswerKind::DoesNotRock, Told::Motions) if motions > 1 => {
+            (AnswerKind::DoesNotRock, NamedEarthquake::Motions) if motions > 1 => {
                 "rocks in none of them".to_owned()
             }
             (AnswerKind::DoesNotRock, earthquake) if motions > 1 => {
-                format!("rocks in none of {motions} {}", earthquake.noun())
+                format!("rocks in none of {motions} {}", noun(earthquake))
             }
             (kind, _) => kind.words().to_owned(),
         }
@@ -225,7 +189,7 @@ impl Answer {
     fn under(&self) -> String {
         let floor = self.floor.words();
         match &self.earthquake {
-            Told::Place {
+            NamedEarthquake::Place {
                 name,
                 code,
                 years,
@@ -240,7 +204,7 @@ impl Answer {
                 }
                 format!("In {name} ({}) {floor}", details.join(", "))
             }
-            Told::GroundAcceleration { peak_g } => {
+            NamedEarthquake::GroundAcceleration { peak_g } => {
                 let peak = format!("At a ground acceleration of {} g", number(*peak_g, 4));
                 // The ground that accelerates is the floor.
                 if self.floor == ToldFloor::Ground {
@@ -249,15 +213,15 @@ impl Answer {
                     format!("{peak} {floor}")
                 }
             }
-            Told::Study { words } => format!("Under {words} {floor}"),
-            Told::MotionsOfStudy { motions: 1, study } => {
+            NamedEarthquake::Study { words } => format!("Under {words} {floor}"),
+            NamedEarthquake::MotionsOfStudy { motions: 1, study } => {
                 format!("Under the motion of {study} {floor}")
             }
-            Told::MotionsOfStudy { motions, study } => {
+            NamedEarthquake::MotionsOfStudy { motions, study } => {
                 format!("Under the {motions} motions of {study} {floor}")
             }
-            Told::Motions if self.counts.motions == 1 => "Under this motion".to_owned(),
-            Told::Motions => format!("Under these {} motions", self.counts.motions),
+            NamedEarthquake::Motions if self.counts.motions == 1 => "Under this motion".to_owned(),
+            NamedEarthquake::Motions => format!("Under these {} motions", self.counts.motions),
         }
     }
 
@@ -280,8 +244,8 @@ impl Answer {
         {
             let verb = ("overturns", "overturn");
             let counted = match overturned {
-                0 if self.earthquake == Told::Motions => "none overturns".to_owned(),
-                0 => format!("none of {asked} {} overturns", self.earthquake.noun()),
+                0 if self.earthquake == NamedEarthquake::Motions => "none overturns".to_owned(),
+                0 => format!("none of {asked} {} overturns", noun(&self.earthquake)),
                 _ => self.count(overturned, asked, verb),
             };
             return format!(
@@ -292,10 +256,10 @@ impl Answer {
         match self.kind {
             // A peak may pass the threshold on its way to no uplift: across an edge, or on pads.
             AnswerKind::DoesNotRock if floor_g_max >= lift_g => match self.earthquake {
-                Told::Motions if motions == 1 => "it lifts no edge".to_owned(),
+                NamedEarthquake::Motions if motions == 1 => "it lifts no edge".to_owned(),
                 _ if motions == 1 => format!(
                     "the one {} lifts no edge",
-                    self.earthquake.noun().trim_end_matches('s')
+                    noun(&self.earthquake).trim_end_matches('s')
                 ),
                 _ => "none lifts an edge".to_owned(),
             },
@@ -329,7 +293,7 @@ impl Answer {
                     ", and none overturns it"
                 };
                 match self.earthquake {
-                    Told::Motions if motions == 1 => format!("it lifts an edge{by}"),
+                    NamedEarthquake::Motions if motions == 1 => format!("it lifts an edge{by}"),
                     _ => format!(
                         "{} an edge{by}{none}",
                         self.count(lifted, motions, ("lifts", "lift"))
@@ -337,13 +301,15 @@ impl Answer {
                 }
             }
             AnswerKind::Rolls | AnswerKind::Slides => String::new(),
-            AnswerKind::Falls if motions == 1 && self.earthquake == Told::Motions => String::new(),
+            AnswerKind::Falls if motions == 1 && self.earthquake == NamedEarthquake::Motions => {
+                String::new()
+            }
             AnswerKind::ProbablyStands | AnswerKind::MayFall | AnswerKind::Falls => {
                 let counted = self.count(overturned, asked, ("overturns", "overturn"));
                 // Few motions are all there is to say; all is all.
                 let interval = self
                     .probability
-                    .filter(|_| self.earthquake != Told::Motions && overturned < asked);
+                    .filter(|_| self.earthquake != NamedEarthquake::Motions && overturned < asked);
                 let interval = interval.map_or_else(String::new, |p| {
                     let [low, high] = [p.low, p.high].map(|end| percent_significant(end, 2));
                     let low = low.trim_end_matches(" %");
@@ -359,11 +325,11 @@ impl Answer {
 
     /// `9 of 320 simulated earthquakes overturn`, `all 20 simulated earthquakes overturn`, `4 lift`.
     fn count(&self, hits: u32, of: u32, (one, many): (&str, &str)) -> String {
-        let noun = self.earthquake.noun();
+        let noun = noun(&self.earthquake);
         let verb = if hits == 1 { one } else { many };
         match &self.earthquake {
-            Told::Motions if hits == of => format!("all {of} {verb}"),
-            Told::Motions => format!("{hits} {verb}"),
+            NamedEarthquake::Motions if hits == of => format!("all {of} {verb}"),
+            NamedEarthquake::Motions => format!("{hits} {verb}"),
             _ if of == 1 => format!("the one {} {verb}", noun.trim_end_matches('s')),
             _ if hits == of => format!("all {of} {noun} {verb}"),
             _ => format!("{hits} of {of} {noun} {verb}"),
@@ -425,7 +391,7 @@ impl Answer {
             motions, exceeded, ..
         } = self.counts;
         let times = |count: u32| match (&self.earthquake, count) {
-            (Told::Motions, 1) if motions == 1 => String::new(),
+            (NamedEarthquake::Motions, 1) if motions == 1 => String::new(),
             (_, count) => format!(" in {count} of {motions}"),
         };
         // After what overturns it, or after its kind.
@@ -437,9 +403,9 @@ impl Answer {
         };
         let share = if motions == 1 { "" } else { " in 84 % of them" };
         let first = match &self.earthquake {
-            Told::Motions => share.to_owned(),
+            NamedEarthquake::Motions => share.to_owned(),
             earthquake if is_kind && motions > 1 => {
-                format!(" in 84 % of {motions} {}", earthquake.noun())
+                format!(" in 84 % of {motions} {}", noun(earthquake))
             }
             _ => share.to_owned(),
         };
@@ -540,16 +506,14 @@ impl Answer {
     }
 }
 
-impl Told {
-    /// What is counted.
-    pub(super) fn noun(&self) -> &'static str {
-        match self {
-            Self::MotionsOfStudy { .. } => "simulations",
-            Self::Motions => "motions",
-            Self::Place { .. } | Self::GroundAcceleration { .. } | Self::Study { .. } => {
-                "simulated earthquakes"
-            }
-        }
+/// What is counted.
+pub(super) fn noun(earthquake: &NamedEarthquake) -> &'static str {
+    match earthquake {
+        NamedEarthquake::MotionsOfStudy { .. } => "simulations",
+        NamedEarthquake::Motions => "motions",
+        NamedEarthquake::Place { .. }
+        | NamedEarthquake::GroundAcceleration { .. }
+        | NamedEarthquake::Study { .. } => "simulated earthquakes",
     }
 }
 

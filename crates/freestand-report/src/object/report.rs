@@ -3,31 +3,65 @@
 use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
-use freestand_input::words::{number, percent_significant};
+use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::{answer, answer_of};
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
 
-use super::row::Row;
-use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands};
-use super::shaking::{Shaken, building_words};
-use super::{Earthquake, FloorPlace, ObjectReport, ObjectRequest};
-use crate::result::{
+use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
+use freestand_assess::one_object::{
+    AtScale, Earthquake, FloorPlace, ObjectRequest, ObjectResult, Tally, middle,
+};
+use freestand_assess::result::{
     Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict,
 };
-use crate::verdict::{Tally, middle};
-use freestand_inventory::{Casters, Surroundings};
+use freestand_input::quantity::UnitSystem;
+use freestand_inventory::{Casters, Item, Surroundings};
 
-/// Makes the report; `scales` are the factors with what was found at each.
-pub(super) fn report(
-    request: &ObjectRequest,
-    shaken: &Shaken,
-    row: &Row,
-    (found, tally): (Assessment, Tally),
-    scales: Vec<(f64, (Assessment, Tally))>,
-) -> ObjectReport {
+/// The answer about one object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjectReport {
+    /// One sentence.
+    pub answer: String,
+    /// What it says.
+    pub kind: AnswerKind,
+    /// The object under its motions at each scale.
+    pub scales: Vec<Scaled>,
+    /// Warnings.
+    pub warnings: Vec<String>,
+    /// The earthquake in words.
+    earthquake: String,
+    /// What its motions are called.
+    noun: &'static str,
+    /// The building in words, of an object above the ground.
+    building: Option<String>,
+    level_ratio: Option<f64>,
+    place: Option<&'static Place>,
+    is_round: bool,
+    place_is_assumed: bool,
+    building_is_assumed: bool,
+    /// What nobody stated.
+    assumptions: Vec<String>,
+    withstands: Option<Withstands>,
+    units: UnitSystem,
+    found: Assessment,
+    tally: Tally,
+}
+
+/// The answer to a request, from what became of its object.
+pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectReport {
+    let ObjectResult {
+        study,
+        earthquake,
+        earthquake_words,
+        item,
+        at_one: AtScale { found, tally, .. },
+        scales,
+        mut warnings,
+        decides,
+    } = result;
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands = request.object.tolerance.map(|one| Withstands {
         peak_g: one.peak_m_s2 / G0_M_S2,
@@ -40,15 +74,13 @@ pub(super) fn report(
             found.accepted_ratio,
             found.p_overturn.filter(|_| !is_given),
         ),
-        earthquake: shaken.told.clone(),
-        floor: floor(request, row, &shaken.study),
+        earthquake: earthquake.clone(),
+        floor: floor(request, &item, &study),
         counts,
         probability: found.p_overturn,
         withstands,
         units: request.units,
     };
-    let mut warnings = shaken.warnings.clone();
-    warnings.extend(row.warnings.iter().cloned());
     if tally.failed > 0 {
         let failed = tally.failed;
         warnings.push(format!(
@@ -69,28 +101,24 @@ pub(super) fn report(
              falling"
         ));
     }
-    let level_ratio = row.item.level_ratio.filter(|_| !is_given);
+    warnings.extend(decides);
+    let level_ratio = item.level_ratio.filter(|_| !is_given);
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
-    let target = shaken.study.ground.code_spectrum();
-    let at_scale = |(scale_ratio, (found, tally))| AtScale {
-        scale_ratio,
-        found,
-        tally,
-    };
+    let target = study.ground.code_spectrum();
     ObjectReport {
         answer: answer.sentence(),
         kind: answer.kind,
-        scales: scales.into_iter().map(at_scale).collect(),
+        scales: scales.into_iter().map(Scaled).collect(),
         warnings,
-        earthquake: shaken.words.clone(),
-        noun: shaken.told.noun(),
-        building: building_words(&shaken.study, request.units).filter(|_| is_above),
+        earthquake: earthquake_words,
+        noun: noun(&earthquake),
+        building: building_words(&study, request.units).filter(|_| is_above),
         level_ratio,
         place: target.and_then(|target| target.place),
-        is_round: row.item.is_round,
-        place_is_assumed: shaken.study.place_is_assumed,
-        building_is_assumed: shaken.study.building_is_assumed && is_above,
-        assumptions: assumptions(request, (row, &shaken.study), &found, is_given),
+        is_round: item.is_round,
+        place_is_assumed: study.place_is_assumed,
+        building_is_assumed: study.building_is_assumed && is_above,
+        assumptions: assumptions(request, (&item, &study), &found, is_given),
         withstands,
         units: request.units,
         found,
@@ -100,23 +128,18 @@ pub(super) fn report(
 
 /// The object under its motions, all multiplied by a scale.
 #[derive(Debug, Clone, PartialEq)]
-pub struct AtScale {
-    /// The scale.
-    pub scale_ratio: f64,
-    found: Assessment,
-    tally: Tally,
-}
+pub struct Scaled(AtScale);
 
-answer_of!(AtScale as at {
-    scale_ratio: f64 = at.scale_ratio;
-    floor_acceleration_g: OnFloor = OnFloor::of(&at.found);
-    motions: u64 = at.tally.worlds.into();
-    motions_lifted: u64 = at.tally.lifted.into();
-    motions_overturned: u64 = at.tally.overturned.into();
+answer_of!(Scaled as at {
+    scale_ratio: f64 = at.0.scale_ratio;
+    floor_acceleration_g: OnFloor = OnFloor::of(&at.0.found);
+    motions: u64 = at.0.tally.worlds.into();
+    motions_lifted: u64 = at.0.tally.lifted.into();
+    motions_overturned: u64 = at.0.tally.overturned.into();
     /// Largest uplift without a fall.
-    uplift_m_max: Option<f64> = at.tally.uplift_m_max;
+    uplift_m_max: Option<f64> = at.0.tally.uplift_m_max;
     /// Largest shock without a fall.
-    landing_acceleration_g_max: Option<f64> = at.tally.shock_g_max;
+    landing_acceleration_g_max: Option<f64> = at.0.tally.shock_g_max;
 });
 
 answer! {
@@ -244,7 +267,7 @@ answer_of!(ObjectReport as report {
     level_ratio: Option<f64> = report.level_ratio;
     place: Option<&Place> = report.place;
     /// The object under its motions at each scale.
-    scales: Option<Vec<&AtScale>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
+    scales: Option<Vec<&Scaled>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
     decision: &'static str = report.found.decision.name();
     why: String = report.found.why.clone();
     close_call: Option<bool> = report.found.answers.as_ref().map(Answers::is_close);
@@ -289,8 +312,8 @@ fn leaning(found: &Assessment, tally: &Tally) -> u32 {
 }
 
 /// The floor as people call it.
-fn floor(request: &ObjectRequest, row: &Row, study: &Study) -> ToldFloor {
-    let ratio = row.item.level_ratio.unwrap_or(0.0);
+fn floor(request: &ObjectRequest, item: &Item, study: &Study) -> ToldFloor {
+    let ratio = item.level_ratio.unwrap_or(0.0);
     let roof = |other| if ratio >= 1.0 { ToldFloor::Roof } else { other };
     match &request.floor.place {
         FloorPlace::Ground => ToldFloor::Ground,
@@ -342,13 +365,13 @@ fn shock_words(shock_g: Ranked) -> Option<String> {
 /// What nobody stated of its feet, its friction, its casters and what is beside it.
 fn of_object(
     request: &ObjectRequest,
-    (row, study): (&Row, &Study),
+    (item, study): (&Item, &Study),
     found: &Assessment,
 ) -> Vec<String> {
     let around = &request.object.surroundings;
     let mut said = vec!["it stands on its full thickness".to_owned()];
     let settings = &study.assessment;
-    if row.item.restitution == Restitution::Housner && found.rolled.is_none() {
+    if item.restitution == Restitution::Housner && found.rolled.is_none() {
         said.push("Housner's restitution".to_owned());
     }
     if request.object.friction_ratio.is_none() && found.rolled.is_none() {
@@ -367,7 +390,7 @@ fn of_object(
             },
         );
     }
-    if found.on_pads.is_some() && row.item.cushion.is_some() {
+    if found.on_pads.is_some() && item.cushion.is_some() {
         let [low, high] = [settings.pad_damping_ratio.0, settings.pad_damping_ratio.1]
             .map(|d| percent_significant(d, 2));
         said.push(if low == high {
@@ -419,7 +442,7 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
 /// What nobody stated, in sentences.
 fn assumptions(
     request: &ObjectRequest,
-    (row, study): (&Row, &Study),
+    (item, study): (&Item, &Study),
     found: &Assessment,
     is_given: bool,
 ) -> Vec<String> {
@@ -429,7 +452,7 @@ fn assumptions(
     let names_wall = around.has_wall();
     let is_at_wall = found.at_wall.is_some();
     let mut said: Vec<String> = study
-        .assumed_at(row.item.level_ratio.unwrap_or(0.0), request.units)
+        .assumed_at(item.level_ratio.unwrap_or(0.0), request.units)
         .collect();
     said.extend(study.two_spectra_words());
     said.push(match (object.cg_height_m, object.width_m) {
@@ -441,10 +464,9 @@ fn assumptions(
         (Some(_), None) => "without a width it rocks about one axis only".to_owned(),
         (Some(_), Some(_)) => String::new(),
     });
-    said.extend(of_object(request, (row, study), found));
+    said.extend(of_object(request, (item, study), found));
     said.extend(
-        row.item
-            .cushion_source
+        item.cushion_source
             .as_ref()
             .map(|source| format!("under one edge: {source}")),
     );
@@ -456,7 +478,7 @@ fn assumptions(
                 "a rolling resistance of {DEFAULT_ROLLING_RESISTANCE} of its weight"
             ));
         }
-    } else if is_at_wall && row.item.cushion.is_some() && found.on_pads.is_none() {
+    } else if is_at_wall && item.cushion.is_some() && found.on_pads.is_none() {
         said.push("on a rigid floor: beside a wall its pads are not followed".to_owned());
     } else if found.rolled.is_some() {
         said.push("a level floor that carries it".to_owned());
@@ -492,4 +514,20 @@ fn assumptions(
     }
     said.retain(|one| !one.is_empty());
     said
+}
+
+/// The building in words: `30 storeys of 3.2 m, T₁ = 1.92 s (…)`.
+fn building_words(study: &Study, units: UnitSystem) -> Option<String> {
+    let building = study.building.as_ref()?;
+    let storey = building
+        .storey_height_m
+        .map_or_else(String::new, |height_m| {
+            format!(" of {}", units.storey(height_m))
+        });
+    Some(format!(
+        "{}{storey}, first period {} s by {}",
+        counted(building.storeys, "storey"),
+        number(building.along.period_s(), 3),
+        building.period_note
+    ))
 }
