@@ -10,6 +10,7 @@ pub mod list;
 pub mod one_object;
 pub mod portfolio;
 pub mod rank;
+pub mod reason;
 pub mod restrain;
 pub mod result;
 pub mod store;

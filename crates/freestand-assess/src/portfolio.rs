@@ -5,12 +5,12 @@ use std::path::Path;
 
 use crate::kept_motions::KeptMotions;
 use crate::rank::Urgency;
+use crate::reason::Reason;
 use crate::result::{Assessment, Decision};
 use crate::two_spectra::{refuse_outcomes, worse};
 use crate::verdict::{Context, Member, Subject, WriteOutcomes, assess_group, blank, restraint_of};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::words::listed;
 use freestand_inventory::{Inventory, Item};
 use freestand_output::folder::OutputFolder;
 use freestand_study::run::{Progress, Stage, Step};
@@ -354,7 +354,7 @@ fn assess_part(
     for (place, item) in items.iter().enumerate() {
         let nothing = |why| {
             Some(Assessment {
-                why,
+                why: vec![why],
                 ..blank(item, settings)
             })
         };
@@ -364,9 +364,8 @@ fn assess_part(
                 |_| Vec::new(),
                 |held| restraint_of(context.study, item, &held, None),
             );
-            let why = "Reported as anchored; its anchors were not checked.".to_owned();
             found[place] = Some(Assessment {
-                why,
+                why: vec![Reason::Anchored],
                 restraint,
                 ..blank(item, settings)
             });
@@ -378,17 +377,11 @@ fn assess_part(
                 members.push(Member::new(item, subject, settings));
             }
             Ok(_) => {
-                found[place] = nothing(
-                    "Nothing was assessed, because the study has no motion for this floor."
-                        .to_owned(),
-                );
+                found[place] = nothing(Reason::NoMotion);
             }
             Err(missing) => {
-                let verb = if missing.len() == 1 { "was" } else { "were" };
-                found[place] = nothing(format!(
-                    "Nothing was assessed, because the {} {verb} not given.",
-                    listed(&missing)
-                ));
+                let missing = missing.into_iter().map(str::to_owned).collect();
+                found[place] = nothing(Reason::NotGiven(missing));
             }
         }
     }

@@ -9,6 +9,9 @@ pub use freestand_study::study::Unstated;
 
 pub use freestand_inventory::too_mild::TooMild;
 
+pub use crate::reason::Criterion;
+use crate::reason::{Note, Reason};
+
 /// The verdict: what to do with an object.
 #[derive(
     Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, IntoStaticStr,
@@ -432,34 +435,6 @@ impl AcceptedFor {
     }
 }
 
-/// The criteria by which a tolerance can be exceeded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-#[serde(rename_all = "kebab-case")]
-pub enum Criterion {
-    /// The peak of the shock.
-    Peak,
-    /// Peak and velocity change together.
-    DamageBoundary,
-    /// The velocity change of the shock.
-    VelocityChange,
-    /// The shock response spectrum of the pulse that the object withstands.
-    Spectrum,
-    /// The uplift.
-    EdgeLift,
-    /// The acceleration of the floor itself.
-    FloorAcceleration,
-    /// Overturning, which exceeds every tolerance.
-    Overturning,
-}
-
-impl Criterion {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
-    }
-}
-
 /// The side of an object that lies in the plane of motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
@@ -496,8 +471,8 @@ pub struct Assessment {
     pub id: String,
     /// What to do.
     pub decision: Decision,
-    /// Why, in one or two sentences.
-    pub why: String,
+    /// Why, in the order in which it is told.
+    pub why: Vec<Reason>,
     /// What nobody stated of its shaking, where that alone keeps it from being left as it is.
     pub unstated: Option<Unstated>,
     /// The tier that decided: 0 it rocks in no world, 2 histories on a rigid base, 3 also on the
@@ -560,8 +535,8 @@ pub struct Assessment {
     pub context: Vec<String>,
     /// Eqs. (5)–(8) in the world that decides, step by step.
     pub chain: Option<Chain>,
-    /// Assumptions and warnings, and how the row was read.
-    pub notes: Vec<String>,
+    /// What else there is to know.
+    pub notes: Vec<Note>,
 }
 
 impl Assessment {
@@ -768,8 +743,24 @@ pub struct Softening {
     pub admissible: bool,
     /// Whether the shock on it was too close to the accepted probability to call.
     pub is_close: bool,
+    /// Whether that thickness is assumed.
+    pub is_assumed: bool,
     /// What was checked, and what failed.
-    pub note: String,
+    pub outcome: PadOutcome,
+}
+
+/// What a softer pad comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PadOutcome {
+    /// It is enough.
+    Enough,
+    /// It is compressed by more than this share of its thickness.
+    Pressed(f64),
+    /// The object falls from it.
+    Falls,
+    /// Its tolerance is still exceeded.
+    Exceeded,
 }
 
 /// A force for the design of a restraint, and what it asks of anchors or of a bracket.

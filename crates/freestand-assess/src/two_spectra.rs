@@ -5,6 +5,7 @@ use freestand_study::study::Study;
 use freestand_study::target::Target;
 
 use crate::rank::Urgency;
+use crate::reason::Reason;
 use crate::result::Assessment;
 use freestand_inventory::Item;
 
@@ -17,24 +18,21 @@ pub fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
 }
 
 /// The result that counts; where it is that by the other spectrum, it says so. `study` is that of the other spectrum.
-pub fn worse(item: &Item, study: &Study, one: Assessment, other: Assessment) -> Assessment {
+pub fn worse(item: &Item, study: &Study, one: Assessment, mut other: Assessment) -> Assessment {
     if !is_worse(item, &one, &other) {
         return one;
     }
-    let why = format!("{} The {}.", other.why, decides(study));
-    Assessment { why, ..other }
+    other.why.push(Reason::Spectrum(spectrum_type(study)));
+    other
 }
 
-/// That the spectrum of `study` decides, after an article.
-pub fn decides(study: &Study) -> String {
-    let number = study
+/// The type of the spectrum of `study`.
+pub fn spectrum_type(study: &Study) -> u8 {
+    study
         .ground
         .code_spectrum()
         .and_then(Target::spectrum_type)
-        .unwrap_or(2);
-    format!(
-        "spectrum of type {number} of the national annex decides: it is the worse for this object"
-    )
+        .unwrap_or(2)
 }
 
 /// Refuses outcomes where there are two spectra: those of both cannot stand in one table.

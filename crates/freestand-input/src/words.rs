@@ -63,6 +63,15 @@ pub fn percent_significant(share: f64, digits: usize) -> String {
     format!("{} %", number(100.0 * share, digits))
 }
 
+/// A probability in percent, to two digits; below 0.01 % its digits mean nothing.
+pub fn percent_words(share: f64) -> String {
+    if share > 0.0 && share < 1e-4 {
+        "under 0.01 %".to_owned()
+    } else {
+        percent_significant(share, 2)
+    }
+}
+
 /// A count with its noun in singular or plural: `1 motion`, `20 motions`, `3 entries`.
 pub fn counted(count: usize, noun: &str) -> String {
     match noun

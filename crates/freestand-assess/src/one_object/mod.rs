@@ -16,7 +16,7 @@ use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
 
 use crate::result::Assessment;
-use crate::two_spectra::{decides, is_worse};
+use crate::two_spectra::{is_worse, spectrum_type};
 use crate::verdict::{Context, Member, Subject, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
@@ -177,8 +177,8 @@ pub struct ObjectResult {
     pub scales: Vec<AtScale>,
     /// What is doubtful about the request.
     pub warnings: Vec<String>,
-    /// That a spectrum of the national annex decides, where it has two and the second is the worse.
-    pub decides: Option<String>,
+    /// The type of the spectrum that decides, where the national annex has two and the second is the worse.
+    pub decides: Option<u8>,
 }
 
 /// An object under its motions, all multiplied by a scale.
@@ -224,13 +224,12 @@ pub fn one_object_shown(
     let Some(other) = other else {
         return Ok(one);
     };
-    let decides = decides(&other.study);
+    let decides = Some(spectrum_type(&other.study));
     // Motions of one spectrum must not serve for the other.
     let other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
     if !is_worse(&other.0.item, &one.0.at_one.found, &other.0.at_one.found) {
         return Ok(one);
     }
-    let decides = Some(format!("the {decides}"));
     Ok((ObjectResult { decides, ..other.0 }, other.1))
 }
 

@@ -5,7 +5,7 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::{counted, number, significant};
+use freestand_input::words::number;
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 
@@ -312,24 +312,10 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
     }
 }
 
-/// What an object that falls needs, although the force of the code would not lift it: `The code's
-/// force alone would not lift it, but 7 of 20 simulated earthquakes overturn it: design for 3.1
-/// kN.` `None` where the code's force asks for anchors, or there is no code.
-pub(crate) fn beyond_code_words(
-    forces: &[RestraintForce],
-    overturned: usize,
-    worlds: usize,
-) -> Option<String> {
-    let design = crate::result::design_force(forces)?;
-    let own = reported_force(forces)?;
-    (design != own && overturned > 0).then(|| {
-        let verb = if overturned == 1 { "overturns" } else { "overturn" };
-        format!(
-            "The code's force alone would not lift it, but {overturned} of {} {verb} it: design for {} kN.",
-            counted(worlds, "simulated earthquake"),
-            significant(1e-3 * design.force_n, 2)
-        )
-    })
+/// Whether the force of the code would not lift an object for which more is designed.
+pub(crate) fn is_beyond_code(forces: &[RestraintForce]) -> bool {
+    let design = crate::result::design_force(forces);
+    design.is_some_and(|design| reported_force(forces).is_some_and(|own| design != own))
 }
 
 /// ` Held down by H = (0.9 − 0.2 S_DS) W = (0.9 − 0.2) W = 0.7 W.`

@@ -8,7 +8,8 @@ use freestand::sliding::trip_speed_m_s;
 use freestand::spatial::StackPart;
 use freestand::spectra::landings;
 
-use crate::restraint::beyond_code_words;
+use crate::reason::{Note, Reason, Slips};
+use crate::restraint::is_beyond_code;
 use crate::result::{
     Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
     FallsAnswer, FloorFacts, InSpace, ObjectModel, OnRigidBase, Ranked, Rolled, Shock, ShockAnswer,
@@ -21,7 +22,8 @@ use freestand_study::statistics::QUANTILES;
 use super::answers::{answers, stop_is_known};
 use super::decision::{Case, decide, deciding, settled};
 use super::draw::Drawn;
-use super::object::{Body, Flat, Model, Way, hit};
+use super::notes::{failures, space_notes, unknown_wall_shock, without_pads};
+use super::object::{Body, Model, Way, hit};
 use super::on_pads::on_pads;
 use super::over_worlds::{quantile, quantiles, share};
 use super::response::{
@@ -31,10 +33,6 @@ use super::response::{
 use super::slip::needed_ratio;
 use super::softer::beyond_pads;
 use super::trial::Trial;
-use super::words::{
-    band_words, beside_words, note_failures, roll_words, slip_words, space_notes, space_words,
-    stack_words, unknown_wall_shock, unstated_words,
-};
 use super::{Context, blank};
 
 /// What a world is ranked by on a rigid base: demand/capacity where it is known, else the shock, else
@@ -119,9 +117,7 @@ pub(super) fn assessment(
             .is_some_and(|capacity| capacity.decides),
         governing: governs,
         missing: &missing,
-        softer: softening
-            .as_ref()
-            .map(|one| (one.admissible, one.note.as_str())),
+        softer: softening.as_ref().map(|one| one.admissible),
         beyond_pads: beyond_pads(trial),
         tolerance_source: member
             .item
@@ -132,57 +128,56 @@ pub(super) fn assessment(
     assessed.why = why;
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some()
     {
-        assessed
-            .why
-            .push_str(" Its stiffness is a range from the cushion library, not a measurement.");
+        assessed.why.push(Reason::StiffnessIsRange);
     }
     assessed.at_wall = at_wall(trial);
     if let Some(at_wall) = &assessed.at_wall {
-        assessed
-            .why
-            .push_str(&beside_words(context, trial, at_wall));
+        if at_wall.lean_share > 0.0 {
+            assessed.why.push(Reason::Leans {
+                worlds: trial.leans().filter(|leans| *leans).count() as u32,
+                followed: trial.followed().count() as u32,
+            });
+        }
+        if context.study.assessment.compliant && trial.subject.body.is_some() {
+            assessed.why.push(Reason::PadsNotFollowed);
+        }
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
     }
-    note_failures(trial, &mut assessed.notes);
+    assessed.notes.extend(failures(trial));
     assessed.rolled = rolled(context, trial);
     assessed.braked = braked;
-    if let Some(rolled) = &assessed.rolled {
+    if assessed.rolled.is_some() {
         let has_wall = member.item.surroundings.has_wall();
-        let verb = if matches!(trial.subject.way, Way::Slides(_)) {
-            "slides"
-        } else {
-            "rolls"
-        };
-        assessed.why = format!("{} {}", roll_words(verb, rolled, has_wall), assessed.why);
+        assessed.why.insert(0, Reason::Travels { has_wall });
     }
-    let loose = assessed
-        .rolled
-        .as_ref()
-        .zip(assessed.braked)
-        .map(|(rolled, braked)| {
-            super::braked::decide(&trial.subject.way, rolled, &braked, member.accepted_ratio)
-        });
+    let loose = assessed.rolled.and(assessed.braked);
+    let loose = loose.map(|braked| super::braked::decide(&braked));
     let unstated = context.study.unstated(trial.subject.level_ratio);
-    let by_room = loose.as_ref().map(|(decision, _)| *decision);
-    assessed.decision = settled(decision, by_room, unstated.is_some());
+    assessed.decision = settled(decision, loose, unstated.is_some());
     if assessed.decision != decision {
         match (loose, unstated) {
-            (Some((_, why)), _) => assessed.why.push_str(&format!(" {why}")),
+            (Some(_), _) => assessed.why.push(Reason::NoRoom {
+                room_m: trial.subject.way.room_m(),
+            }),
             (None, Some(unstated)) => {
                 assessed.unstated = Some(unstated);
-                assessed.why.push_str(&unstated_words(unstated));
+                assessed.why.push(Reason::Unstated(unstated));
             }
             (None, None) => {}
         }
     }
     assessed.slipped = slipped(trial);
     if let Some(slipped) = &assessed.slipped {
+        let slips = Slips {
+            worlds: slipped.worlds,
+            of: trial.lived.len() as u32,
+            friction_ratio: trial.subject.friction_ratio.unwrap_or_default(),
+        };
         if slipped.on_pads {
-            assessed.why.push_str(&slip_words(trial, slipped));
+            assessed.why.push(Reason::Slips(slips));
         } else {
-            assessed
-                .notes
-                .push(band_words(trial, slipped, answers.rigid));
+            let why = without_pads(trial);
+            assessed.notes.push(Note::SlipsWithoutPads { slips, why });
         }
     }
     assessed.model = Some(match trial.subject.way {
@@ -195,16 +190,16 @@ pub(super) fn assessment(
         Way::Stack(_) => ObjectModel::Stack,
     });
     assessed.in_space = in_space(trial);
-    if let Some(in_space) = &assessed.in_space {
-        assessed.why.push_str(&space_words(in_space));
+    if assessed.in_space.is_some() {
+        assessed.why.push(Reason::InSpace);
     }
     assessed.stacked = stacked(trial);
-    if let Some(stacked) = &assessed.stacked {
-        assessed.why.push_str(&stack_words(trial, stacked));
+    if assessed.stacked.is_some() {
+        assessed.why.push(Reason::Stacked);
     }
     assessed
         .notes
-        .extend(trial.subject.flat.as_ref().map(Flat::words));
+        .extend(trial.subject.flat.clone().map(Note::Flat));
     assessed.notes.extend(space_notes(context, trial)?);
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
@@ -245,9 +240,11 @@ pub(super) fn assessment(
             .p_overturn
             .filter(|_| answers.falls != FallsAnswer::Stays)
         {
-            let overturned = (p.value * f64::from(answers.worlds)).round() as usize;
-            let words = beyond_code_words(&assessed.restraint, overturned, answers.worlds as usize);
-            assessed.why.extend(words.map(|words| format!(" {words}")));
+            let (worlds, overturned) = (answers.worlds, p.value * f64::from(answers.worlds));
+            let overturned = overturned.round() as u32;
+            if overturned > 0 && is_beyond_code(&assessed.restraint) {
+                assessed.why.push(Reason::BeyondCode { overturned, worlds });
+            }
         }
     }
     assessed.context = context.comparisons(trial, &floor);

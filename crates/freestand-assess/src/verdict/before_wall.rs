@@ -1,17 +1,14 @@
 //! What a wall would change: objects that fall, and for which the list gives no wall, live through the
 //! same worlds before one.
 
-use freestand::decision::Side;
-
 use crate::result::{Assessment, BeforeWall, Decision, FallsAnswer};
 use freestand_input::problem::Problems;
 use freestand_study::study::assessment::WallUse;
 
 use super::Context;
-use super::decision::percent;
 use super::draw::Change;
 use super::object::Model;
-use super::trial::{Question, Trial, grouped, lived_in, side};
+use super::trial::{Question, Trial, grouped, lived_in};
 
 /// Touching, and about the depth of a skirting board with what hangs down behind an object \[m\].
 const GAPS_M: [f64; 2] = [0.0, 0.05];
@@ -79,22 +76,4 @@ fn before<'a>(context: &'a Context, trial: &Trial<'a>) -> [Trial<'a>; 2] {
             trial.subject.before_wall(around, gap_m),
         )
     })
-}
-
-/// What a wall would change, in a sentence.
-pub(super) fn words(before: &BeforeWall, accepted_ratio: f64) -> String {
-    let sides = [before.touching, before.at_50_mm].map(|p| side(p, accepted_ratio));
-    let enough = match sides {
-        [Side::Below, Side::Below] => ", and either would be enough",
-        [Side::Below, _] => ", and touching it would be enough",
-        [_, Side::Below] => ", and that gap would be enough",
-        [Side::Above, Side::Above] => ", and neither would be enough",
-        _ => "",
-    };
-    format!(
-        " The list gives no wall behind it: at a wall that it touches it falls in {} of the worlds, at one 50 mm away in \
-         {} (on a rigid base){enough}.",
-        percent(before.touching.value),
-        percent(before.at_50_mm.value)
-    )
 }

@@ -9,12 +9,11 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 use crate::restraint::components::Component;
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
 use crate::result::{Axis, FloorFacts, RestraintForce};
-use freestand_input::words::number;
+use freestand_input::words::{number, percent_words};
 use freestand_inventory::{Item, Rating};
 use freestand_study::study::Study;
 
 use super::Context;
-use super::decision::percent;
 use super::object::Subject;
 use super::over_worlds::quantile;
 use super::response::lifts;
@@ -67,7 +66,7 @@ impl Context<'_> {
                  of {} m/s. At the median PFV of this floor, {} m/s, it overturns with a probability of {}.",
                 number(median_m_s, 3),
                 number(facts.pfv_m_s_median, 3),
-                percent(p)
+                percent_words(p)
             ));
         }
         let thresholds = trial

@@ -1,13 +1,11 @@
-//! The decision on an object, and the reason for it in words.
+//! The decision on an object, and the reasons for it.
 
 use freestand::decision::Side;
 
+use crate::reason::{NoPad, Reason};
 use crate::result::{
-    Answers, Criterion, Decision, FallsAnswer, FewMotions, ModelAnswers, Probability, ShockAnswer,
-    TooMild,
+    Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer, TooMild,
 };
-use freestand_input::words::listed;
-use freestand_input::words::{counted, percent_significant};
 
 impl FallsAnswer {
     /// From where the probability lies. An object that is calculated too mildly never stays for certain.
@@ -59,89 +57,55 @@ pub(super) struct Case<'a> {
     pub(super) governing: Option<Criterion>,
     /// What a comparison lacks: `tolerance`, `mass`, `cushion`.
     pub(super) missing: &'a [&'static str],
-    /// The softer pad that was looked for: whether it passed, and what was found.
-    pub(super) softer: Option<(bool, &'a str)>,
+    /// Whether the softer pad passed that was looked for.
+    pub(super) softer: Option<bool>,
     /// Why no softer pad was looked for.
-    pub(super) beyond_pads: &'a str,
+    pub(super) beyond_pads: NoPad,
     pub(super) tolerance_source: &'a str,
 }
 
-/// The decision and its reason.
-pub(super) fn decide(case: &Case) -> (Decision, String) {
+/// The decision and its reasons.
+pub(super) fn decide(case: &Case) -> (Decision, Vec<Reason>) {
     let Answers {
         falls,
         shock,
         asks_shock,
         ..
     } = *case.answers;
-    let falling = falling(case);
+    let falling = Reason::Falling { lifts: case.lifts };
     if falls != FallsAnswer::Stays {
-        return (Decision::Restrain, falling);
+        return (Decision::Restrain, vec![falling]);
     }
     if !asks_shock {
-        return (
-            Decision::Leave,
-            format!(
-                "{falling} Only falling was assessed: {}.",
-                only_falling(case)
-            ),
-        );
+        let lacks_tolerance = case.missing.contains(&"tolerance");
+        let only = Reason::OnlyFalling { lacks_tolerance };
+        return (Decision::Leave, vec![falling, only]);
     }
     if shock == ShockAnswer::Unknown {
-        let missing = listed(case.missing);
-        let verb = if case.missing.len() == 1 {
-            "was"
-        } else {
-            "were"
-        };
-        let why = format!(
-            "{falling} Whether a shock damages it is unknown, because its {missing} {verb} not given."
-        );
-        return (Decision::NoVerdict, why);
+        let missing = case.missing.iter().map(|one| (*one).to_owned());
+        let unknown = Reason::ShockUnknown(missing.collect());
+        return (Decision::NoVerdict, vec![falling, unknown]);
     }
-    let shock_words = shock_words(case);
+    let of_shock = Reason::Shock(case.governing);
     if !case.decides {
-        let source = case.tolerance_source;
-        let why = format!(
-            "{falling} {shock_words} But this tolerance was not checked against its source and cannot decide: confirm it. Its \
-             source: {source}."
-        );
-        return (Decision::NoVerdict, why);
+        let source = case.tolerance_source.to_owned();
+        let unchecked = Reason::Unchecked { source };
+        return (Decision::NoVerdict, vec![falling, of_shock, unchecked]);
     }
-    match (shock, case.softer) {
-        (ShockAnswer::Stands, _) => (Decision::Leave, format!("{falling} {shock_words}")),
-        (_, Some((true, note))) => (Decision::Soften, format!("{falling} {shock_words} {note}")),
-        (_, Some((false, note))) => (
-            Decision::Restrain,
-            format!("{falling} {shock_words} No softer pad is enough: {note}"),
-        ),
-        (_, None) if case.governing == Some(Criterion::FloorAcceleration) => (
-            Decision::Restrain,
-            format!(
-                "{falling} {shock_words} Neither a pad nor a restraint lowers the acceleration of the floor: restrain \
-                 it, and move it to a lower floor or isolate it."
-            ),
-        ),
-        (_, None) => (
-            Decision::Restrain,
-            format!(
-                "{falling} {shock_words} No softer pad helps: {}.",
-                case.beyond_pads
-            ),
-        ),
-    }
-}
-
-fn only_falling(case: &Case) -> &'static str {
-    if case.missing.contains(&"tolerance") {
-        "no tolerance was given"
-    } else {
-        "nothing else was asked"
-    }
+    let (decision, remedy) = match (shock, case.softer) {
+        (ShockAnswer::Stands, _) => return (Decision::Leave, vec![falling, of_shock]),
+        (_, Some(true)) => (Decision::Soften, Reason::SofterPad),
+        (_, Some(false)) => (Decision::Restrain, Reason::SofterPad),
+        (_, None) if case.governing == Some(Criterion::FloorAcceleration) => {
+            (Decision::Restrain, Reason::FloorTooStrong)
+        }
+        (_, None) => (Decision::Restrain, Reason::NoPadHelps(case.beyond_pads)),
+    };
+    (decision, vec![falling, of_shock, remedy])
 }
 
 /// The model with the larger upper end: the one that decides.
-pub(super) fn deciding(
+pub fn deciding(
     answers: &Answers,
     of: impl Fn(&ModelAnswers) -> Option<Probability>,
 ) -> Option<Probability> {
@@ -151,186 +115,10 @@ pub(super) fn deciding(
         .reduce(|most, next| if next.high > most.high { next } else { most })
 }
 
-/// `8 % (6 to 11 %)`.
-fn spread(p: Probability) -> String {
-    format!(
-        "{} ({} to {})",
-        percent(p.value),
-        percent(p.low).replace(" %", ""),
-        percent(p.high)
-    )
-}
-
-fn falling(case: &Case) -> String {
-    let answers = case.answers;
-    let (worlds, limit) = (
-        counted(answers.worlds as usize, "world"),
-        percent(case.accepted_ratio),
-    );
-    let Some(p) = deciding(answers, |model| Some(model.overturn)) else {
-        return String::new();
-    };
-    let models = both_words(answers, |model| Some(model.overturn), case.accepted_ratio);
-    let hits = (p.value * f64::from(answers.worlds)).round();
-    if let Some(why) = answers.too_mild {
-        return mild(why, case, p);
-    }
-    match answers.falls {
-        FallsAnswer::Stays if !case.lifts => {
-            format!("It stays standing: it rocks in none of {worlds} (accepted {limit}).")
-        }
-        // Whoever accepts that most fall is not told that it stands.
-        FallsAnswer::Stays if p.value > 0.5 => {
-            format!(
-                "It falls in {} of {worlds}, and {limit} is accepted.{models}",
-                spread(p)
-            )
-        }
-        FallsAnswer::Stays => {
-            let high = percent(p.high);
-            format!(
-                "It stays standing: at most {high} fall ({hits} of {worlds}; accepted {limit}).{models}"
-            )
-        }
-        FallsAnswer::Falls => {
-            format!(
-                "It falls in {} of {worlds}, more than the accepted {limit}.{models}",
-                spread(p)
-            )
-        }
-        FallsAnswer::Close => {
-            let few = answers
-                .few_motions
-                .as_ref()
-                .map_or_else(String::new, few_words);
-            let few = answers
-                .worlds_needed
-                .map_or(few, |needed| few_worlds(answers.worlds_cap, needed));
-            format!(
-                "It falls in {} of {worlds} against {limit}: too close to call.{few}{models}",
-                spread(p)
-            )
-        }
-    }
-}
-
-/// What is known of an object that may fall where its calculation lets it stand.
-fn mild(why: TooMild, case: &Case, p: Probability) -> String {
-    let (worlds, limit) = (
-        counted(case.answers.worlds as usize, "world"),
-        percent(case.accepted_ratio),
-    );
-    let verdict = if case.answers.falls == FallsAnswer::Falls {
-        "too often"
-    } else {
-        "too close to call"
-    };
-    format!(
-        "It is {}. In that calculation it falls in {} of {worlds} (accepted {limit}), and the real object may fall more \
-         often: {verdict}.",
-        why.words(),
-        spread(p)
-    )
-}
-
-/// How many worlds would do, where the study allows fewer.
-fn few_worlds(most: u32, needed: u32) -> String {
-    format!(
-        " {} are too few to leave it as it is, even if it falls in none: at least {needed} would do: give most = {needed} in [worlds].",
-        counted(most as usize, "world")
-    )
-}
-
-/// How many motions would do, where there are too few for `leave`.
-fn few_words(few: &FewMotions) -> String {
-    let motions = counted(few.motions as usize, "motion");
-    let verb = if few.motions == 1 { "is" } else { "are" };
-    match few.needed {
-        Some(needed) => format!(
-            " {motions} {verb} too few to leave it as it is, even if none overturns it: at least {needed} would do."
-        ),
-        None => format!(" {motions} {verb} too few to leave it as it is: use synthetic motions."),
-    }
-}
-
-/// Both models, where they disagree.
-fn both_words(
-    answers: &Answers,
-    of: impl Fn(&ModelAnswers) -> Option<Probability>,
-    accepted_ratio: f64,
-) -> String {
-    let (Some(rigid), Some(pads)) = (
-        answers.rigid.as_ref().and_then(&of),
-        answers.compliant.as_ref().and_then(&of),
-    ) else {
-        return String::new();
-    };
-    if (rigid.value > accepted_ratio) == (pads.value > accepted_ratio) {
-        return String::new();
-    }
-    format!(
-        " On a rigid base it is {}, on its pads {}: the models disagree, and the worse counts.",
-        percent(rigid.value),
-        percent(pads.value)
-    )
-}
-
-fn shock_words(case: &Case) -> String {
-    let answers = case.answers;
-    let limit = percent(case.accepted_ratio);
-    let Some(p) = deciding(answers, |model| model.exceed) else {
-        return String::new();
-    };
-    let what = governing_words(case.governing);
-    let models = both_words(answers, |model| model.exceed, case.accepted_ratio);
-    match answers.shock {
-        ShockAnswer::Stands => {
-            format!(
-                "{what} in at most {} of the worlds (accepted {limit}).{models}",
-                percent(p.high)
-            )
-        }
-        ShockAnswer::Exceeded => {
-            format!(
-                "{what} in {} of the worlds, more than the accepted {limit}.{models}",
-                spread(p)
-            )
-        }
-        ShockAnswer::Close => {
-            format!(
-                "{what} in {} of the worlds against {limit}: too close to call.{models}",
-                spread(p)
-            )
-        }
-        ShockAnswer::Unknown => String::new(),
-    }
-}
-
-fn governing_words(governing: Option<Criterion>) -> &'static str {
-    match governing {
-        Some(Criterion::Peak) => "Its shock exceeds the peak that it withstands",
-        Some(Criterion::Spectrum) => "The spectrum of its shock exceeds that of its tolerance",
-        Some(Criterion::DamageBoundary) => "Its shock exceeds its damage boundary",
-        Some(Criterion::VelocityChange) => "Its velocity change exceeds its tolerance",
-        Some(Criterion::EdgeLift) => "Its uplift exceeds its tolerance",
-        Some(Criterion::FloorAcceleration) => "The acceleration of its floor exceeds its tolerance",
-        Some(Criterion::Overturning) => "It falls or exceeds its tolerance",
-        None => "It exceeds its tolerance",
-    }
-}
-
-/// A share in percent; below 0.01 % its digits mean nothing.
-pub(super) fn percent(share: f64) -> String {
-    if share > 0.0 && share < 1e-4 {
-        "under 0.01 %".to_owned()
-    } else {
-        percent_significant(share, 2)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::result::FewMotions;
 
     fn p(value: f64, low: f64, high: f64) -> Probability {
         Probability { value, low, high }
@@ -368,7 +156,7 @@ mod tests {
             governing: Some(Criterion::Peak),
             missing: &[],
             softer: None,
-            beyond_pads: "its pads were not given",
+            beyond_pads: NoPad::NoPads,
             tolerance_source: "a test",
         }
     }
@@ -404,14 +192,8 @@ mod tests {
         );
         for shock in [ShockAnswer::Exceeded, ShockAnswer::Close] {
             assert_eq!(decided(Stays, shock, None, true), Decision::Restrain);
-            assert_eq!(
-                decided(Stays, shock, Some((true, "")), true),
-                Decision::Soften
-            );
-            assert_eq!(
-                decided(Stays, shock, Some((false, "")), true),
-                Decision::Restrain
-            );
+            assert_eq!(decided(Stays, shock, Some(true), true), Decision::Soften);
+            assert_eq!(decided(Stays, shock, Some(false), true), Decision::Restrain);
             assert_eq!(decided(Stays, shock, None, false), Decision::NoVerdict);
         }
         let only = Answers {
@@ -422,12 +204,9 @@ mod tests {
             missing: &["tolerance"],
             ..case(&only)
         });
+        let lacks_tolerance = true;
         assert_eq!(decision, Decision::Leave);
-        assert_eq!(
-            why,
-            "It stays standing: at most 1.4 % fall (0 of 320 worlds; accepted 10 %). Only falling was assessed: no \
-             tolerance was given."
-        );
+        assert_eq!(why[1..], [Reason::OnlyFalling { lacks_tolerance }]);
     }
 
     #[test]
@@ -466,72 +245,42 @@ mod tests {
         assert_eq!(settled(Leave, None, true), NoVerdict);
     }
 
-    /// No pad lowers the acceleration of the floor, and an object that was calculated too mildly is told
-    /// as that.
+    /// No pad lowers the acceleration of the floor, and what is not checked cannot decide.
     #[test]
-    fn the_floor_alone_and_what_is_too_mild() {
+    fn reasons_beside_the_shock() {
         let exceeded = answers(FallsAnswer::Stays, ShockAnswer::Exceeded);
-        let of = |governing| {
-            decide(&Case {
+        let of = |governing, decides| {
+            let (decision, why) = decide(&Case {
                 governing: Some(governing),
+                decides,
                 ..case(&exceeded)
-            })
+            });
+            assert_eq!(
+                why[..2],
+                [
+                    Reason::Falling { lifts: true },
+                    Reason::Shock(Some(governing))
+                ]
+            );
+            (decision, why[2].clone())
         };
-        let (decision, why) = of(Criterion::FloorAcceleration);
-        assert_eq!(decision, Decision::Restrain);
-        assert!(why.contains("move it to a lower floor"), "{why}");
-        assert!(of(Criterion::Peak).1.contains("No softer pad helps"));
-        let mild = Answers {
-            too_mild: Some(TooMild::Round),
-            ..answers(FallsAnswer::Close, ShockAnswer::Stands)
-        };
-        let (decision, why) = decide(&case(&mild));
-        assert_eq!(decision, Decision::Restrain);
-        assert!(why.starts_with("It is round"), "{why}");
-    }
-
-    #[test]
-    fn too_few_motions_are_said_with_how_many_would_do() {
-        let why = |few_motions| {
-            let close = answers(FallsAnswer::Close, ShockAnswer::Unknown);
-            decide(&case(&Answers {
-                few_motions,
-                ..close
-            }))
-            .1
-        };
-        let said = why(FewMotions::of(3, Some(44)));
-        assert!(
-            said.contains("3 motions are too few to leave it as it is")
-                && said.contains("at least 44 would do"),
-            "{said}"
-        );
-        assert!(why(FewMotions::of(1, None)).contains("1 motion is too few"));
+        let [floor, peak] = [Criterion::FloorAcceleration, Criterion::Peak];
         assert_eq!(
-            (
-                FewMotions::of(44, Some(44)),
-                FewMotions::of(43, Some(44)).is_some()
-            ),
-            (None, true)
+            of(floor, true),
+            (Decision::Restrain, Reason::FloorTooStrong)
         );
+        assert_eq!(
+            of(peak, true),
+            (Decision::Restrain, Reason::NoPadHelps(NoPad::NoPads))
+        );
+        let source = "a test".to_owned();
+        let unchecked = (Decision::NoVerdict, Reason::Unchecked { source });
+        assert_eq!(of(peak, false), unchecked);
     }
 
     #[test]
-    fn models_that_disagree_are_both_told() {
-        let both = Answers {
-            rigid: Some(ModelAnswers {
-                overturn: p(0.0, 0.0, 0.014),
-                exceed: Some(p(0.04, 0.02, 0.07)),
-            }),
-            compliant: Some(ModelAnswers {
-                overturn: p(0.0, 0.0, 0.014),
-                exceed: Some(p(0.31, 0.25, 0.37)),
-            }),
-            ..answers(FallsAnswer::Stays, ShockAnswer::Exceeded)
-        };
-        let (_, why) = decide(&case(&both));
-        let expected = "exceeds the peak that it withstands in 31 % (25 to 37 %) of the worlds, more than the accepted \
-                        10 %. On a rigid base it is 4 %, on its pads 31 %: the models disagree, and the worse counts.";
-        assert!(why.contains(expected), "{why}");
+    fn few_motions_are_those_below_what_is_needed() {
+        assert_eq!(FewMotions::of(44, Some(44)), None);
+        assert!(FewMotions::of(43, Some(44)).is_some());
     }
 }

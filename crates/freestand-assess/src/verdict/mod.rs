@@ -17,6 +17,7 @@ mod decision;
 mod draw;
 mod followed;
 mod nominal;
+mod notes;
 mod object;
 mod on_pads;
 mod outcomes;
@@ -29,23 +30,24 @@ mod slip;
 mod softer;
 mod tally;
 mod trial;
-mod words;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
 use crate::accepted::accepted;
+use crate::reason::Reason;
 use crate::result::{Assessment, Decision};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_inventory::{Casters, Consequences, Item, Rating};
+use freestand_inventory::{Consequences, Item, Rating};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::{Questions, Settings};
 
 use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
+pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{Nominal, NominalRun};
 pub(crate) use object::Subject;
@@ -214,11 +216,9 @@ fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Prob
     let mut done: Vec<Assessment> = done.into_iter().collect::<Result<_, _>>()?;
     let before = before_wall::before_walls(context, trials, &done)?;
     for (assessed, before) in done.iter_mut().zip(before) {
-        assessed.why.extend(
-            before
-                .iter()
-                .map(|before| before_wall::words(before, assessed.accepted_ratio)),
-        );
+        assessed
+            .why
+            .extend(before.iter().map(|_| Reason::BeforeWall));
         assessed.before_wall = before;
     }
     Ok(done)
@@ -230,7 +230,7 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
     Assessment {
         id: item.id.clone(),
         decision: Decision::NoVerdict,
-        why: String::new(),
+        why: Vec::new(),
         unstated: None,
         tier: 0,
         answers: None,
@@ -259,40 +259,6 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         clearance_m: None,
         context: Vec::new(),
         chain: None,
-        notes: notes(item),
+        notes: Vec::new(),
     }
-}
-
-/// How the row was read, and what was assumed where it is silent.
-fn notes(item: &Item) -> Vec<String> {
-    let mut notes: Vec<String> = item
-        .cushion
-        .iter()
-        .flat_map(|edge| edge.notes.clone())
-        .collect();
-    notes.extend(
-        item.cushion_source
-            .iter()
-            .map(|source| format!("Cushion: {source}.")),
-    );
-    notes.extend(
-        item.doubts
-            .iter()
-            .map(|doubt| format!("Check the input: {} ({}).", doubt.words(), doubt.name())),
-    );
-    if item.surroundings.upper.is_some() {
-        let note = match item.surroundings.casters {
-            Some(Casters::Free) => {
-                "Another object stands on it: both are followed on pads, as if its casters were held, which is the harder case."
-            }
-            _ => {
-                "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass."
-            }
-        };
-        notes.push(note.to_owned());
-    }
-    if item.width_m.is_none() {
-        notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
-    }
-    notes
 }

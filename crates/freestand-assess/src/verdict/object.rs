@@ -14,8 +14,8 @@ use freestand::wall::{Wall, Walls};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
+use crate::reason::Flat;
 use crate::result::{Axis, TooMild};
-use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
 
 use super::capacity::Capacity;
@@ -135,37 +135,6 @@ pub(super) struct Upper {
 /// The middle of a range.
 pub fn middle((low, high): (f64, f64)) -> f64 {
     0.5 * (low + high)
-}
-
-/// Why an object moves in a plane where the study asks for three dimensions.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) enum Flat {
-    /// These are not given.
-    Missing(Vec<&'static str>),
-    /// Its base or its centre of gravity is not that of a uniform block.
-    NotUniform,
-    /// There are neighbours within its reach.
-    Neighbours,
-    /// Another body stands on it.
-    Stack,
-}
-
-impl Flat {
-    /// As a sentence.
-    pub(super) fn words(&self) -> String {
-        let why = match self {
-            Self::Missing(names) => {
-                let verb = if names.len() == 1 { "is" } else { "are" };
-                format!("its {} {verb} not given", listed(names))
-            }
-            Self::NotUniform => {
-                "its base or its centre of gravity is not that of a uniform block".to_owned()
-            }
-            Self::Neighbours => "it has neighbours within its reach".to_owned(),
-            Self::Stack => "another object stands on it".to_owned(),
-        };
-        format!("It moves in a plane, not in three dimensions, because {why}.")
-    }
 }
 
 /// What a shock depends on besides the motion of the block.
@@ -581,10 +550,10 @@ fn flat(item: &Item, axes: &[AxisGeometry], beside: Option<Beside>) -> Option<Fl
         (item.cushion.is_some(), "stiffness"),
         (item.width_m.is_some(), "width"),
     ];
-    let missing: Vec<&str> = known
+    let missing: Vec<String> = known
         .into_iter()
         .filter(|(is_known, _)| !is_known)
-        .map(|(_, name)| name)
+        .map(|(_, name)| name.to_owned())
         .collect();
     let neighbours = beside.map(|beside| Beside {
         wall_gap_m: None,

@@ -11,10 +11,6 @@ use super::draw::{Draw, Drawn};
 use super::object::Subject;
 use super::response::{AxisMotion, RigidResponse};
 
-/// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
-/// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
-pub(super) const FALLS_WITH_FRICTION: [(f64, f64); 2] = [(0.3, 0.8), (0.5, 1.05)];
-
 /// Whether rocking, or one of its impacts, needs more friction than there is in this world. Never
 /// where the list does not give the friction: an assumed one changes no number.
 pub(super) fn slips(

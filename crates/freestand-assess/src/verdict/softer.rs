@@ -4,13 +4,12 @@
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::decision::Side;
 
-use crate::result::Softening;
+use crate::reason::NoPad;
+use crate::result::{PadOutcome, Softening};
 use freestand_input::problem::Problems;
-use freestand_input::words::number;
 use freestand_study::result::Ranked;
 
 use super::Context;
-use super::decision::percent;
 use super::object::{Subject, Way};
 use super::on_pads::on_pads;
 use super::over_worlds::quantile;
@@ -129,7 +128,6 @@ struct Verdict {
 }
 
 fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
-    let accepted_ratio = trial.member.accepted_ratio;
     let high = |question| {
         let ends = trial
             .models(context)
@@ -161,46 +159,20 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     );
     let is_below = falls == Side::Below && shock == Side::Below;
     let is_close = falls == Side::Below && shock == Side::Open && !is_pressed;
-    let stiffness = format!("{} N/mm", number(1e-3 * stiffness_n_m, 3));
-    let assumed = if stated_m.is_none() {
-        " (assumed thickness)"
-    } else {
-        ""
-    };
-    let pressed = format!(
-        "it is compressed by {} mm of {} mm{assumed}",
-        number(1e3 * stroke_m, 3),
-        number(1e3 * pad_thickness_m, 3)
-    );
-    let note = if is_below && !is_pressed {
-        format!(
-            "A pad of at most {stiffness} under one edge brings it to at most {}; {pressed}.",
-            percent(p_exceed_high)
-        )
+    let outcome = if is_below && !is_pressed {
+        PadOutcome::Enough
     } else if is_pressed {
-        format!(
-            "with {stiffness} under one edge {pressed} (95 % of the worlds), more than {}.",
-            percent(strain_ratio)
-        )
+        PadOutcome::Pressed(strain_ratio)
     } else if falls != Side::Below {
-        format!(
-            "with {stiffness} under one edge it falls in up to {}.",
-            percent(p_overturn_high)
-        )
+        PadOutcome::Falls
     } else {
-        let close = if is_close { ": too close to call" } else { "" };
-        format!(
-            "with {stiffness} under one edge its tolerance is still exceeded in up to {}, against the accepted \
-             {}{close}.",
-            percent(p_exceed_high),
-            percent(accepted_ratio)
-        )
+        PadOutcome::Exceeded
     };
     let edge_acceleration_g = compliant.and_then(|pads| match pads.edge_acceleration_g_median {
         Ranked::Value(shock_g) => Some(shock_g),
         Ranked::Overturned | Ranked::NoData => None,
     });
-    let admissible = is_below && !is_pressed;
+    let admissible = outcome == PadOutcome::Enough;
     let softening = Softening {
         max_stiffness_n_m: Some(stiffness_n_m),
         stroke_m: Some(stroke_m),
@@ -210,7 +182,8 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
         p_overturn_high: Some(p_overturn_high),
         admissible,
         is_close,
-        note,
+        is_assumed: stated_m.is_none(),
+        outcome,
     };
     // Softer pads are compressed further, and objects fall from them sooner.
     Verdict {
@@ -220,23 +193,23 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
 }
 
 /// Why no softer pad was looked for.
-pub(super) fn beyond_pads(trial: &Trial) -> &'static str {
+pub(super) fn beyond_pads(trial: &Trial) -> NoPad {
     let Some(capacity) = &trial.subject.capacity else {
-        return "no tolerance was given";
+        return NoPad::NoTolerance;
     };
     match trial.subject.way {
-        Way::Rolls(_) => return "it rolls on its casters",
-        Way::Slides(_) => return "it slides on its base",
+        Way::Rolls(_) => return NoPad::Rolls,
+        Way::Slides(_) => return NoPad::Slides,
         Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {}
     }
     let Some(body) = &trial.subject.body else {
-        return "its pads were not given";
+        return NoPad::NoPads;
     };
     if !capacity.needs_shock() {
-        return "its uplift on a rigid base does not depend on the stiffness";
+        return NoPad::Uplift;
     }
     if body.cushion.linear_stiffness_n_m().is_none() {
-        return "its cushion is not a spring, so no softer one was looked for";
+        return NoPad::NoSpring;
     }
-    "what exceeds its tolerance does not depend on the pad"
+    NoPad::Other
 }

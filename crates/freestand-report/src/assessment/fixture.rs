@@ -9,11 +9,12 @@ use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Restitution;
 
+use freestand_assess::reason::{Note, Reason};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
     Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
-    Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer, Sliding,
-    SlidingVerdict, Softening,
+    PadOutcome, Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer,
+    Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
@@ -244,7 +245,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
     Assessment {
         id: item.id.clone(),
         decision,
-        why: format!("Made up: {}.", decision.name()),
+        why: vec![Reason::Falling { lifts: true }],
         unstated: None,
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
@@ -338,7 +339,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             friction_ratio: (0.3, 0.7),
             is_stated: false,
         }),
-        softening: (decision == Decision::Soften).then(|| Softening {
+        softening: (decision == Decision::Soften).then_some(Softening {
             max_stiffness_n_m: Some(1.1e6),
             stroke_m: Some(0.011),
             pad_thickness_m: 0.04,
@@ -347,13 +348,14 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             is_close: false,
             p_exceed_high: Some(0.02),
             p_overturn_high: Some(0.014),
-            note: "A pad of at most 1100 N/mm under one edge brings it to at most 2 %.".into(),
+            is_assumed: false,
+            outcome: PadOutcome::Enough,
         }),
         restraint: if falls { forces() } else { vec![] },
         clearance_m: Some(0.06),
         context: vec!["ASCE 7-22 13.3: floor acceleration 0.41 g.".into()],
         chain,
-        notes: vec!["The centre of gravity is taken at half the height.".into()],
+        notes: vec![Note::OneComponent],
     }
 }
 
@@ -458,7 +460,9 @@ pub(super) fn hostile_items() -> Vec<Item> {
 pub(super) fn unknown(item: &Item) -> Assessment {
     Assessment {
         decision: Decision::NoVerdict,
-        why: "Height, thickness and level are missing.".into(),
+        why: vec![Reason::NotGiven(
+            ["height", "thickness", "level"].map(str::to_owned).to_vec(),
+        )],
         floor: None,
         response: None,
         shock: None,
@@ -499,8 +503,14 @@ pub(super) fn rows(inventory: &Inventory, assessed: usize) -> Vec<Row<'_>> {
                 assessment(item, index)
             };
             if item.notes.contains(HOSTILE[0]) {
-                found.why = HOSTILE.concat();
-                found.notes = vec![HOSTILE.concat()];
+                let hostile = || HOSTILE.concat();
+                found.why = vec![Reason::Unchecked { source: hostile() }];
+                found.notes = vec![Note::Failed {
+                    on_pads: false,
+                    worlds: 1,
+                    of: 1,
+                    why: hostile(),
+                }];
                 found.context = vec![HOSTILE.concat()];
             }
             Row {

@@ -10,6 +10,7 @@ mod hold;
 mod outcomes;
 mod overview;
 mod parquet;
+pub mod reasons;
 mod report;
 mod rows;
 mod sources;

@@ -16,6 +16,7 @@ use freestand_output::rows::{broken, csv_writer};
 use super::csv::push_field;
 use super::floors::{FloorKey, floor_key, floor_words};
 use super::hold::how_to_hold;
+use super::reasons::why;
 use super::table::{Cell, Line};
 
 /// The file's name.
@@ -72,7 +73,7 @@ pub(super) fn task(line: &Line) -> Option<Task> {
         how: how(item, found, force),
         force_n: force.map(|force| force.force_n),
         anchor_tension_n: force.map(|force| force.anchor_tension_n),
-        why: format!("{}{}", found.why, doubted(item)),
+        why: format!("{}{}", why(item, found), doubted(item)),
     })
 }
 

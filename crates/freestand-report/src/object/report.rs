@@ -11,6 +11,7 @@ use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
 
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
+use crate::assessment::reasons::{spectrum_decides, why};
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, ObjectRequest, ObjectResult, Tally, middle,
 };
@@ -46,6 +47,8 @@ pub struct ObjectReport {
     assumptions: Vec<String>,
     withstands: Option<Withstands>,
     units: UnitSystem,
+    /// Why it has its decision.
+    why: String,
     found: Assessment,
     tally: Tally,
 }
@@ -101,7 +104,7 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
              falling"
         ));
     }
-    warnings.extend(decides);
+    warnings.extend(decides.map(|number| format!("the {}", spectrum_decides(number))));
     let level_ratio = item.level_ratio.filter(|_| !is_given);
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
     let target = study.ground.code_spectrum();
@@ -121,6 +124,7 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
         assumptions: assumptions(request, (&item, &study), &found, is_given),
         withstands,
         units: request.units,
+        why: why(&item, &found),
         found,
         tally,
     }
@@ -269,7 +273,7 @@ answer_of!(ObjectReport as report {
     /// The object under its motions at each scale.
     scales: Option<Vec<&Scaled>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
     decision: &'static str = report.found.decision.name();
-    why: String = report.found.why.clone();
+    why: String = report.why.clone();
     close_call: Option<bool> = report.found.answers.as_ref().map(Answers::is_close);
     /// Earthquakes that would settle the question.
     worlds_needed: Option<u64> = report.found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from);

@@ -8,6 +8,7 @@ use freestand_inventory::{Item, Rating};
 use freestand_study::result::Ranked;
 
 use super::floors::{FloorKey, floor_key, floor_words};
+use super::reasons::why;
 use super::table::Line;
 use super::words::{chance, exceeded, falls};
 use super::worklist::{Task, sort_floors};
@@ -282,7 +283,7 @@ fn urgent(line: &Line, rank: usize, found: &Assessment) -> Urgent {
         chance: to_check(chance(found), item),
         shock_g: found.edge_acceleration_g_median(),
         force_n: found.design_force().map(|force| force.force_n),
-        why: found.why.clone(),
+        why: why(item, found),
     }
 }
 

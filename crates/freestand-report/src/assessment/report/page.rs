@@ -4,6 +4,7 @@
 use std::fmt::Write;
 
 use crate::assessment::overview::place;
+use crate::assessment::reasons::{self, softer_pad};
 use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
 use freestand_assess::result::{
     Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, RestraintKind,
@@ -36,7 +37,7 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
         "<div class=\"verdict {}\">{} <span>{}</span></div>",
         found.decision.name(),
         badge(found.decision),
-        words(&found.why)
+        words(&reasons::why(item, found))
     );
     html.push_str("<div class=\"two\">\n");
     html.push_str(&pairs(&verdict_figures(item, found)));
@@ -45,7 +46,7 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
     html.push_str("</div>\n");
     html.push_str(&response(found));
     html.push_str(&what_to_do(found));
-    html.push_str(&notes(found));
+    html.push_str(&notes(item, found));
     html.push_str("<details>\n<summary>How it was calculated</summary>\n");
     html.push_str(&calculation(inventory, item, found));
     html.push_str("</details>\n</section>\n");
@@ -486,7 +487,7 @@ fn what_to_do(found: &Assessment) -> String {
             html,
             "<p>{} Check: {}</p>",
             words(&said),
-            words(&softening.note)
+            words(&softer_pad(softening, found.accepted_ratio))
         );
     }
     html.push_str(&forces(
@@ -545,11 +546,12 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
 }
 
 /// What was assumed about the row.
-fn notes(found: &Assessment) -> String {
-    if found.notes.is_empty() {
+fn notes(item: &Item, found: &Assessment) -> String {
+    let notes = reasons::notes(item, found);
+    if notes.is_empty() {
         String::new()
     } else {
-        format!("<p>{}</p>\n", words(&found.notes.join(" ")))
+        format!("<p>{}</p>\n", words(&notes))
     }
 }
 
@@ -729,7 +731,7 @@ mod tests {
         );
         for said in [
             "NO VERDICT",
-            "Height, thickness and level are missing.",
+            "Nothing was assessed, because the height, thickness and level were not given.",
             "not given",
             "was not calculated",
         ] {

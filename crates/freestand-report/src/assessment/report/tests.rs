@@ -272,7 +272,10 @@ fn without_a_verdict_every_page_says_why() {
     let items = hostile_items().split_off(7);
     let html = html(&inventory(items), 1, 200);
     assert!(
-        html.contains("? NO VERDICT") && html.contains("Height, thickness and level are missing.")
+        html.contains("? NO VERDICT")
+            && html.contains(
+                "Nothing was assessed, because the height, thickness and level were not given."
+            )
     );
     parse(&html);
 }

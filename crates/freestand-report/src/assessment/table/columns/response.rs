@@ -4,6 +4,7 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use freestand_study::cushion::cushion_words;
 
+use crate::assessment::reasons::notes;
 use crate::assessment::table::{Cell, Column};
 use freestand_assess::result::{Cause, design_force, reported_force};
 
@@ -591,6 +592,6 @@ pub(super) const COLUMNS: &[Column] = &[
     text(
         "remarks",
         "assumptions and warnings about this object",
-        |l| Cell::owned(l.assessment().map(|found| found.notes.join(" "))),
+        |l| Cell::owned(l.assessment().map(|found| notes(l.item, found))),
     ),
 ];

@@ -1,5 +1,6 @@
 //! The object, and its verdict.
 
+use crate::assessment::reasons::why;
 use crate::assessment::table::{Cell, Column, Kind};
 use freestand_assess::assumed;
 use freestand_assess::result::ObjectModel;
@@ -64,7 +65,7 @@ pub(super) const COLUMNS: &[Column] = &[
         "why",
         "the reason for the verdict, in one or two sentences",
         |l| match l.assessment() {
-            Some(found) => Cell::text(&found.why),
+            Some(found) => Cell::owned(Some(why(l.item, found))),
             None => Cell::text(NOT_ASSESSED),
         },
     ),

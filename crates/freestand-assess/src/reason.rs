@@ -1,0 +1,216 @@
+//! Why a decision was made, and what else there is to know of an object, as data: `freestand-report` has the
+//! words.
+
+use freestand_study::study::Unstated;
+use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
+
+/// Why an object has its decision. The numbers are those of its [`Assessment`](crate::result::Assessment)
+/// where a reason has none of its own.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reason {
+    /// It is reported as anchored, and nothing was assessed.
+    Anchored,
+    /// The study has no motion for its floor.
+    NoMotion,
+    /// Columns that are empty, without which nothing is assessed.
+    NotGiven(Vec<String>),
+    /// It rolls or slides.
+    Travels {
+        /// Whether a wall or a neighbour was named.
+        has_wall: bool,
+    },
+    /// Whether it falls.
+    Falling {
+        /// Whether an edge lifts in any world, by any model.
+        lifts: bool,
+    },
+    /// Nothing but falling was asked.
+    OnlyFalling {
+        /// Because it has no tolerance.
+        lacks_tolerance: bool,
+    },
+    /// Columns that are empty, without which its shock is not known.
+    ShockUnknown(Vec<String>),
+    /// Whether its tolerance is exceeded, by the criterion that governs.
+    Shock(Option<Criterion>),
+    /// Its tolerance was not checked against its source, and cannot decide.
+    Unchecked {
+        /// The source.
+        source: String,
+    },
+    /// A softer pad was looked for.
+    SofterPad,
+    /// What exceeds its tolerance is the acceleration of the floor.
+    FloorTooStrong,
+    /// No softer pad was looked for.
+    NoPadHelps(NoPad),
+    /// Its stiffness is a range from the cushion library.
+    StiffnessIsRange,
+    /// It ends leaning on its wall.
+    Leans {
+        /// Worlds at whose end it leans.
+        worlds: u32,
+        /// Worlds in which it was followed.
+        followed: u32,
+    },
+    /// Beside a wall its pads are not followed.
+    PadsNotFollowed,
+    /// It goes farther than it has room.
+    NoRoom {
+        /// How far it may slide where the list gives no clearance \[m\].
+        room_m: Option<f64>,
+    },
+    /// Nobody stated the place or the building.
+    Unstated(Unstated),
+    /// Its friction is less than rocking needs, and its pads answer for both models.
+    Slips(Slips),
+    /// It moves in three dimensions.
+    InSpace,
+    /// Another object stands on it.
+    Stacked,
+    /// It falls, although the force of the code would not lift it.
+    BeyondCode {
+        /// Worlds in which it falls.
+        overturned: u32,
+        /// All worlds.
+        worlds: u32,
+    },
+    /// What a wall would change for which the list gives none.
+    BeforeWall,
+    /// The other spectrum of the national annex decides, by its type.
+    Spectrum(u8),
+}
+
+/// The criteria by which a tolerance can be exceeded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+#[serde(rename_all = "kebab-case")]
+pub enum Criterion {
+    /// The peak of the shock.
+    Peak,
+    /// Peak and velocity change together.
+    DamageBoundary,
+    /// The velocity change of the shock.
+    VelocityChange,
+    /// The shock response spectrum of the pulse that the object withstands.
+    Spectrum,
+    /// The uplift.
+    EdgeLift,
+    /// The acceleration of the floor itself.
+    FloorAcceleration,
+    /// Overturning, which exceeds every tolerance.
+    Overturning,
+}
+
+impl Criterion {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
+/// Why no softer pad was looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum NoPad {
+    /// It has no tolerance.
+    NoTolerance,
+    /// It rolls on its casters.
+    Rolls,
+    /// It slides on its base.
+    Slides,
+    /// Its pads are not known.
+    NoPads,
+    /// Its uplift on a rigid base does not depend on the stiffness.
+    Uplift,
+    /// Its cushion is not a spring.
+    NoSpring,
+    /// What exceeds its tolerance does not depend on the pad.
+    Other,
+}
+
+/// Worlds in which friction is less than rocking needs.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Slips {
+    /// How many.
+    pub worlds: u32,
+    /// Of how many.
+    pub of: u32,
+    /// The range of the friction.
+    pub friction_ratio: (f64, f64),
+}
+
+/// What there is to know beside the reasons.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Note {
+    /// The shock at its wall is not compared with its tolerance: mass or stiffness of the wall are not given.
+    WallShockUnknown,
+    /// The shock at its wall is not compared with its tolerance in three dimensions.
+    WallShockNotCompared,
+    /// Histories that failed.
+    Failed {
+        /// On its pads, else on a rigid base.
+        on_pads: bool,
+        /// How many.
+        worlds: u32,
+        /// Of how many.
+        of: u32,
+        /// The reason of the first.
+        why: String,
+    },
+    /// Worlds in which it flies, and its pads answer for both models.
+    Flies {
+        /// How many.
+        worlds: u32,
+        /// Of how many.
+        of: u32,
+    },
+    /// It flies, and its pads are not known.
+    FliesWithoutPads,
+    /// Its friction is less than rocking needs, and no pads answer.
+    SlipsWithoutPads {
+        /// The worlds.
+        slips: Slips,
+        /// Why no pads answer.
+        why: WithoutPads,
+    },
+    /// It moves in a plane where the study asks for three dimensions.
+    Flat(Flat),
+    /// In three dimensions one history is one realisation.
+    OneRealisation,
+    /// Its floor moves in one direction only.
+    OneComponent,
+    /// Its feet pass through its wall.
+    FeetPassWall,
+    /// A stack moves in the plane of the thickness.
+    StackInPlane,
+}
+
+/// Why no pads answer where an object slides while it rocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WithoutPads {
+    /// Beside a wall they are not followed.
+    BesideWall,
+    /// Mass or pads are not given.
+    NotGiven,
+    /// They are not followed.
+    NotFollowed,
+}
+
+/// Why an object moves in a plane where the study asks for three dimensions.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Flat {
+    /// These are not given.
+    Missing(Vec<String>),
+    /// Its base or its centre of gravity is not that of a uniform block.
+    NotUniform,
+    /// There are neighbours within its reach.
+    Neighbours,
+    /// Another body stands on it.
+    Stack,
+}
