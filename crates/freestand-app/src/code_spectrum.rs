@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::ArgAction;
+use freestand::code_spectrum::{Asce7Edition, CodeSpectrum as Spectrum};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::written::Written;
@@ -79,6 +80,16 @@ impl Question for CodeSpectrum {
                     "ask for the accelerations of parts, or leave it out",
                 );
             }
+        }
+        let is_used = |target: &Target| match &target.spectrum {
+            Spectrum::Asce7(code) => code.edition() == Asce7Edition::Asce7_22,
+            _ => false,
+        };
+        if parts && target.as_ref().is_some_and(|target| !is_used(target)) {
+            read.idle(
+                &["building_period"],
+                "only ASCE 7-22 has parts whose acceleration depends on it",
+            );
         }
         let target = read.problems.finish(target)?;
         Ok(Meant {

@@ -60,6 +60,7 @@ impl Question for CushionCurve {
         let hint = "name a table of tests, such as foam.csv";
         read.require("file", "no file is named", hint);
         let file = path_without_flag(&mut read, "file", files);
+        check_design(&mut read);
         let design = CurveRequest {
             drop_height_m: read.positive("drop_height", Dimension::Length),
             thickness_m: read.positive("thickness", Dimension::Length),
@@ -68,6 +69,35 @@ impl Question for CushionCurve {
         };
         read.problems
             .finish(file.map(|file| Meant { file, design }))
+    }
+}
+
+/// Notes values of a design that nothing is calculated from.
+fn check_design(read: &mut WordReader<'_>) {
+    let has_height = read.has("drop_height");
+    if read.has("limit") && !has_height {
+        let message = "`limit` needs `drop_height`, from which the cushion must keep it";
+        let hint = "give the drop height of the design, or leave `limit` out";
+        read.missing(&["drop_height"], message, hint);
+    }
+    // Either makes a static stress.
+    let stress = ["static_stress", "mass", "area"]
+        .into_iter()
+        .find(|key| read.has(key));
+    let has_rest = has_height && (read.has("thickness") || read.has("limit"));
+    if let Some(key) = stress.filter(|_| !has_rest) {
+        let missing = match has_height {
+            true => "thickness",
+            false => "drop_height",
+        };
+        let message = format!(
+            "`{key}` has no effect: a design also needs `drop_height`, and `thickness` or `limit`"
+        );
+        read.missing(
+            &[missing],
+            message,
+            format!("give them, or leave `{key}` out"),
+        );
     }
 }
 

@@ -9,7 +9,6 @@ use freestand_input::written::Written;
 use freestand_records::formats::{ReadOptions, parse_sensitivity, parse_unit};
 use freestand_records::processing::read_step;
 use freestand_study::laboratory::drop_test::{DropRequest, LAWS};
-use freestand_study::laboratory::virtual_laboratory::DEFAULT_VELOCITY_ERROR_RATIO;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::study::DEFAULT_SEED;
 
@@ -127,7 +126,7 @@ impl Question for DropTests {
     }
 }
 
-fn velocity_error(read: &mut WordReader<'_>) -> f64 {
+fn velocity_error(read: &mut WordReader<'_>) -> Option<f64> {
     let given = read.positive("velocity_error", Dimension::Ratio);
     if let Some(ratio) = given.filter(|ratio| *ratio > 0.5) {
         read.note(
@@ -136,5 +135,5 @@ fn velocity_error(read: &mut WordReader<'_>) -> f64 {
             "give a smaller one; without `height` and `impact_velocity` the velocity is found from the pulse",
         );
     }
-    given.unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO)
+    given
 }

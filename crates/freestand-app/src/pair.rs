@@ -1,7 +1,7 @@
 //! `motion rotate` and `motion rotd`: two horizontal components.
 
 use freestand::synthesis::DAMPING_RATIO;
-use freestand_input::problem::Problems;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
@@ -135,6 +135,10 @@ impl Rotate {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let pair = self.pair.files(&mut read, files);
+        let of_azimuth = |problem: &&mut Problem| problem.is_about("azimuth");
+        for problem in read.problems.problems.iter_mut().filter(of_azimuth) {
+            problem.hint = Some("give the azimuth of the new component as `to`".to_owned());
+        }
         let hint = "give the azimuth of the new component, such as `to = \"30 deg\"`";
         read.require("to", "`to` is missing", hint);
         let to = read.quantity("to", Dimension::Angle);

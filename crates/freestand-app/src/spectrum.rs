@@ -19,6 +19,7 @@ use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming};
+use freestand_study::target::of_place_alone;
 use freestand_study::unsolved::rocking_problem;
 
 use crate::block::{Rocking, accuracy, model, restitution};
@@ -34,6 +35,8 @@ pub const SCHEMA: &str = "freestand.spectrum/1";
 
 request! { question
     /// A grid of objects, and what shakes it.
+    // Rows have no shock of a stop: the flag is known only to be refused with a hint.
+    #[command(mut_arg("stop_stiffness", |arg| arg.hide(true)))]
     pub struct Spectrum {
         /// Records of the horizontal acceleration of the floor
         #[arg(long, value_name = "FILE", num_args = 1..)]
@@ -292,7 +295,9 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         storey_height_m,
     };
     if read.has("place") {
-        read.problems.keep(of_values(&values));
+        let alone = |problems: Problems| problems.into_iter().map(of_place_alone).collect();
+        read.problems
+            .keep(of_values(&values).map_err(alone as fn(Problems) -> Problems));
     }
     let level_ratio = level_ratio.unwrap_or(0.0);
     if !(0.0..=1.0).contains(&level_ratio) {
@@ -385,7 +390,7 @@ fn objects(
     }
     if read.has("stop_stiffness") {
         read.pass(&["stop_stiffness"]);
-        let message = "`stop_stiffness` is used by `rock` only: rows have no shock of a stop";
+        let message = "`stop_stiffness` is for the command rock only: rows have no shock of a stop";
         read.note(&["stop_stiffness"], message, "leave it out");
     }
     if contact.is_some() && (read.has("mass") || sensitivity) {

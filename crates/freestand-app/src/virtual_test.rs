@@ -6,7 +6,7 @@ use clap::ArgAction;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::problem::Problems;
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, parse};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::cushion::EdgeCushion;
@@ -135,11 +135,17 @@ impl Question for VirtualTests {
         let mut read = reader::<Self>(&words, &self.unknown);
         let mass_kg = read.positive("mass", Dimension::Mass);
         let noise = read.share("noise");
-        let edge = self.edge(&mut read, mass_kg, files);
+        let (edge, damping_needs_mass) = self.edge(&mut read, mass_kg, files).unzip();
         let count = read.whole_within("count", 1..=1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
         let (edge, plan) = if read.flag("static") {
             read.idle(&OF_DROPS, "a `static` test drops nothing");
+            if damping_needs_mass == Some(false) {
+                read.idle(
+                    &["mass"],
+                    "a `static` test drops nothing, and no damping ratio refers to it",
+                );
+            }
             let options = presses(&mut read, noise, seed);
             let edge = read.problems.finish(edge)?;
             (edge, Plan::Static(options))
@@ -165,13 +171,13 @@ impl Question for VirtualTests {
 }
 
 impl VirtualTests {
-    /// The cushion, with the damping that its law needs.
+    /// The cushion, with the damping that its law needs, and whether that refers to the mass.
     fn edge(
         &self,
         read: &mut WordReader<'_>,
         mass_kg: Option<f64>,
         files: &Files,
-    ) -> Option<EdgeCushion> {
+    ) -> Option<(EdgeCushion, bool)> {
         if self.pad.words().is_empty() {
             let hint = "give `stiffness`, such as \"2190 N/mm\"";
             read.missing(&["stiffness"], "the cushion is missing", hint);
@@ -182,7 +188,9 @@ impl VirtualTests {
         let mass_kg = mass_kg.or(read.has("mass").then_some(1.0));
         let edge = self.pad.of_words(&words, read, mass_kg, files)?;
         let notes = [edge.notes, assumed].concat();
-        Some(EdgeCushion { notes, ..edge })
+        let damping = words.get("damping");
+        let is_ratio = damping.is_some_and(|text| parse(text, Dimension::Ratio).is_ok());
+        Some((EdgeCushion { notes, ..edge }, is_ratio))
     }
 }
 

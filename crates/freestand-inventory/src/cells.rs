@@ -46,6 +46,14 @@ pub(super) struct Wrong {
 }
 
 impl Wrong {
+    /// A value that no quantity has, as quantities elsewhere say it.
+    pub(super) fn too_large() -> Self {
+        Self::because(
+            Kind::OutOfRange,
+            "is too large: no quantity is above 1e18 in SI units",
+        )
+    }
+
     pub(super) fn because(kind: Kind, detail: &str) -> Self {
         Self {
             kind,
@@ -85,7 +93,7 @@ impl Measured {
 
     /// One number in this unit.
     fn in_unit(number: &str, unit: CellUnit, is_bare: bool) -> Result<Self, Wrong> {
-        let si = unit.read(number).map_err(|_| Kind::Unreadable)?;
+        let si = unit.read(number).map_err(|_| Wrong::too_large())?;
         let text = match unit {
             CellUnit::Known(unit) => format!("{number} {}", unit.symbol),
             CellUnit::Force(_) | CellUnit::Gram(_) => format!("{si} kg"),
@@ -360,8 +368,11 @@ impl Wanted {
                     Some(unit) => Measured::in_unit(&self.choice.read(number)?, unit, true),
                     None if is_ratio => {
                         let text = self.choice.read(number)?;
-                        let si = text.parse().ok().filter(|si| is_possible(*si));
-                        Ok(Measured::sure(si.ok_or(Kind::Unreadable)?, text, true))
+                        let si = text.parse().map_err(|_| Kind::Unreadable)?;
+                        if !is_possible(si) {
+                            return Err(Wrong::too_large());
+                        }
+                        Ok(Measured::sure(si, text, true))
                     }
                     None => Err(Kind::UnitMissing.into()),
                 };
@@ -406,7 +417,7 @@ impl Wanted {
             Some(_) => return Err(Kind::UnitWrong.into()),
             None => self.unit,
         };
-        let scale = |unit| found.si(unit).map_err(|_| Kind::Unreadable);
+        let scale = |unit| found.si(unit).map_err(|_| Wrong::too_large());
         let si = match stated {
             Some(CellUnit::Known(unit)) => scale(Some(unit))?,
             Some(CellUnit::Force(unit)) => scale(Some(unit))? / freestand::G0_M_S2,

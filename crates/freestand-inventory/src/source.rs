@@ -63,7 +63,13 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     let mut found: Vec<Vec<Row>> = Vec::new();
     if bytes.starts_with(b"PK") {
         let mut workbook = Workbook::open(bytes)?;
-        for (name, is_visible) in workbook.sheets() {
+        let sheets = workbook.sheets();
+        if let Some(wanted) = sheet
+            && !sheets.iter().any(|(name, _)| is_named(name, wanted))
+        {
+            return Err(no_sheet(wanted, &sheets));
+        }
+        for (name, is_visible) in sheets {
             if sheet.map_or(is_visible, |wanted| is_named(&name, wanted)) {
                 let mut rows = Vec::new();
                 workbook.rows(&name, &mut |row| keep(&mut rows, row))?;
@@ -71,6 +77,7 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
             }
         }
     } else {
+        refuse_sheet_of_csv(sheet)?;
         let (text, _) = encoding::decode(bytes)?;
         for separator in SEPARATORS {
             let mut rows = Vec::new();
@@ -82,6 +89,26 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
     }
     let cells = |rows: &Vec<Row>| rows.iter().map(|row| row.cells.len()).sum::<usize>();
     Ok(found.into_iter().max_by_key(cells).unwrap_or_default())
+}
+
+/// Refuses a sheet that is named of a CSV.
+fn refuse_sheet_of_csv(sheet: Option<&str>) -> Result<(), Problem> {
+    let Some(sheet) = sheet else { return Ok(()) };
+    Err(Problem::value(
+        format!("a CSV has no sheet \"{}\"", shorten(sheet)),
+        "remove `sheet`, or give a workbook (.xlsx)",
+    ))
+}
+
+/// The problem of a workbook without the sheet that is named.
+fn no_sheet(wanted: &str, sheets: &[(String, bool)]) -> Problem {
+    let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
+    Problem::value(message, format!("its sheets: {}", listed(sheets)))
+}
+
+/// The names of sheets.
+fn listed(sheets: &[(String, bool)]) -> String {
+    quoted(sheets.iter().take(10).map(|(name, _)| name))
 }
 
 impl Sheet {
@@ -104,13 +131,7 @@ impl Sheet {
                 "save it as .xlsx without a password, or as CSV",
             ));
         }
-        if let Some(sheet) = sheet {
-            let message = format!("a CSV has no sheet \"{}\"", shorten(sheet));
-            return Err(Problem::value(
-                message,
-                "remove `sheet`, or give a workbook (.xlsx)",
-            ));
-        }
+        refuse_sheet_of_csv(sheet)?;
         Self::open_csv(bytes, mapping)
     }
 
@@ -157,11 +178,9 @@ impl Sheet {
     ) -> Result<Self, Problem> {
         let mut workbook = Workbook::open(bytes)?;
         let sheets = workbook.sheets();
-        let listed = || quoted(sheets.iter().take(10).map(|(name, _)| name));
         if let Some(wanted) = wanted {
             let Some((name, _)) = sheets.iter().find(|(name, _)| is_named(name, wanted)) else {
-                let message = format!("the workbook has no sheet \"{}\"", shorten(wanted));
-                return Err(Problem::value(message, format!("its sheets: {}", listed())));
+                return Err(no_sheet(wanted, &sheets));
             };
             let header = find_in(&mut workbook, name, mapping)?.ok_or_else(|| {
                 let mut problem = no_headings();
@@ -195,7 +214,7 @@ impl Sheet {
                     format!("only the hidden sheet {name} has the headings of an inventory");
                 return Err(bad_file(message, "name it with `sheet`, or unhide it"));
             }
-            return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed())));
+            return Err(no_headings().hint(format!("sheets: {}; {TEMPLATE}", listed(&sheets))));
         };
         let (name, header) = found.swap_remove(best);
         let others = quoted(found.iter().map(|(name, _)| name));

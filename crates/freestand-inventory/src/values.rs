@@ -2,7 +2,7 @@
 //! given as they are.
 
 use freestand_input::problem::Problem;
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::{Dimension, is_possible, shorten};
 use freestand_input::words::canonical;
 
 use freestand_study::study::assessment::Questions;
@@ -478,13 +478,13 @@ impl<'a> Cells<'a> {
         let found = self.chosen(one, cell, text, |choice| {
             quantity(text, dimension, unit, choice)
         });
-        let finite = |found: Measured| {
-            if !found.si.is_finite() {
-                return Err(Kind::Unreadable.into());
+        let possible = |found: Measured| {
+            if !is_possible(found.si) {
+                return Err(Wrong::too_large());
             }
             self.agreed(one, found.is_bare).map(|()| found)
         };
-        let found = self.taken(one, cell, found.and_then(finite))?;
+        let found = self.taken(one, cell, found.and_then(possible))?;
         self.doubts_of(
             one,
             cell,

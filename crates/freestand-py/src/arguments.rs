@@ -4,6 +4,8 @@ use std::path::{Path, PathBuf};
 
 use freestand_input::keys::{Words, argument_key};
 use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::{is_possible, too_large};
+use freestand_input::words::shortest;
 use freestand_output::facts::{Facts, Value};
 use freestand_output::json::document;
 use freestand_study::cushion::{self, EdgeCushion, read_cushion_file, with_file};
@@ -69,6 +71,12 @@ impl<'a, 'py> Given<'a, 'py> {
         } else {
             value.extract::<f64>().ok()
         };
+        if let Some(number) = number.filter(|number| number.is_finite() && !is_possible(*number)) {
+            let mut problem = too_large(&shortest(number));
+            problem.message = format!("{name}: {}", problem.message);
+            self.problems.push(problem);
+            return None;
+        }
         let number = number.filter(|number| number.is_finite() && accept(*number));
         if number.is_none() {
             self.wrong(name, expected);

@@ -495,6 +495,39 @@ fn of_programs() -> Vec<Asked> {
             json!({"file": "/etc/passwd", "thickness_m": 0, "limit_g": -1, "static_stress": 3000, "area": 0.02}),
         ),
         (
+            "cushion curve",
+            json!({"file": "/etc/passwd", "limit_g": 40}),
+        ),
+        (
+            "cushion curve",
+            json!({"file": "/etc/passwd", "static_stress": 3000, "drop_height_m": 0.6}),
+        ),
+        (
+            "cushion curve",
+            json!({"file": "/etc/passwd", "mass_kg": 3, "area": 0.02, "thickness_m": 0.05}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness_n_m": 1e6, "mass_kg": 3}),
+        ),
+        (
+            "cushion simulate",
+            json!({"static": true, "stiffness_n_m": 1e6, "law": "foo"}),
+        ),
+        (
+            "motion code-spectrum",
+            json!({"place": "Melbourne", "parts": true, "building_height_m": 30, "building_period_s": 1}),
+        ),
+        ("motion simulate", json!({"city": "Wellington"})),
+        (
+            "spectrum",
+            json!({"heights": [1], "thicknesses": [0.3], "place": "Lisbon", "return_period_years": 500}),
+        ),
+        (
+            "restrain",
+            json!({"mass_kg": 3, "height": 1.8, "thickness": 0.5, "code": "foo"}),
+        ),
+        (
             "cushion recovery",
             json!({"drops": 10001, "samples_per_contact": [1, 25], "noise": 2, "bias": ["x", 1], "seed": -1}),
         ),

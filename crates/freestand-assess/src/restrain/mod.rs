@@ -320,6 +320,13 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
             .collect(),
     };
     warnings.extend(doubts);
+    if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
+        warnings.extend(idle(words, target).map(|key| {
+            format!(
+                "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"
+            )
+        }));
+    }
     let is_asce7 = |target: &Target| matches!(target.spectrum, CodeSpectrum::Asce7(_));
     if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7)
     {
@@ -411,6 +418,30 @@ fn blocks(
     blocks.map_err(|error| {
         let hint = "check the dimensions of the object";
         Problem::value(error.to_string(), hint).of(&["thickness", "width", "height", "cg_height"])
+    })
+}
+
+/// Keys that say something about the long periods of a spectrum, and without which the parts are the same.
+fn idle<'w>(words: &'w Words, target: &'w Target) -> impl Iterator<Item = &'static str> + 'w {
+    const LONG_PERIODS: [&str; 6] = [
+        "sd1",
+        "s1",
+        "fv",
+        "long_period",
+        "fault_distance",
+        "corner_periods",
+    ];
+    let of_parts = |target: &Target| {
+        let spectrum = target.parts_spectrum();
+        (spectrum.sa_g(0.0), spectrum.plateau_g())
+    };
+    let given = LONG_PERIODS
+        .into_iter()
+        .filter(|key| words.get(key).is_some());
+    given.filter(move |key| {
+        let mut without = words.clone();
+        without.remove(key);
+        Target::for_parts(&without).is_ok_and(|other| of_parts(&other) == of_parts(target))
     })
 }
 

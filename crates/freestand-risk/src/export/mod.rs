@@ -15,7 +15,9 @@ use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
 use crate::costs::{CostRow, Costs, load_costs};
-use crate::fragility::{FragilityReport, HazardPlace, HazardSource, ObjectFragility, hazard_of};
+use crate::fragility::{
+    FragilityReport, HazardPlace, HazardSource, NO_SITES, ObjectFragility, hazard_of,
+};
 
 use points::Points;
 
@@ -174,7 +176,9 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                     )
                 })
                 .transpose()?;
-            warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
+            // Here the coordinates are those of the objects.
+            let of_hazard = hazard.iter().flat_map(|hazard| &hazard.warnings);
+            warnings.extend(of_hazard.filter(|one| *one != NO_SITES).cloned());
             openquake::files(
                 report,
                 request,

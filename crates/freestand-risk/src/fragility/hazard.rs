@@ -256,9 +256,13 @@ fn from_file(
         measure,
         at: place.of(measure)?,
         file,
-        warnings: Vec::new(),
+        warnings: site_deg.map(|_| NO_SITES.to_owned()).into_iter().collect(),
     })
 }
+
+/// What is said of coordinates beside a file that has no sites.
+pub(crate) const NO_SITES: &str =
+    "`site_coordinates` chooses no site of the hazard curve: its file has none";
 
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
 /// it.

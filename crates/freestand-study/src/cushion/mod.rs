@@ -152,7 +152,7 @@ impl<'w> Reader<'w> {
 
     fn cushion(&mut self, mass_kg: Option<f64>) -> Option<Cushion> {
         let law = if self.words.has("law") {
-            self.words.one_of("law", &LAWS)?
+            self.words.one_of("law", self.laws())?
         } else {
             LawName::Linear
         };
@@ -178,6 +178,18 @@ impl<'w> Reader<'w> {
         let edge = self.edge(elastic, pads?)?;
         let damped = self.damped(law, edge, pads?, mass_kg)?;
         self.in_series(damped)
+    }
+
+    /// The laws that may be meant: one of a table is written in files alone, with its table.
+    fn laws(&self) -> &'static [(&'static str, LawName)] {
+        let has_table = ["compressions", "forces"]
+            .iter()
+            .any(|key| self.words.has(key));
+        let is_table = |text: &str| text.trim().eq_ignore_ascii_case("tabulated");
+        match has_table || self.words.words.get("law").is_some_and(is_table) {
+            true => &LAWS,
+            false => LAWS.get(..LAWS.len() - 1).unwrap_or(&LAWS),
+        }
     }
 
     fn exponent(&mut self, law: LawName) -> Option<f64> {

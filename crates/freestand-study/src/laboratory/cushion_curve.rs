@@ -100,7 +100,10 @@ answer_of!(CurveReport as report {
 /// can be fitted to.
 pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport, Problem> {
     let mut tests = Vec::new();
+    let (mut takes_height, mut takes_thickness) = (false, false);
     for row in load_curve(path)? {
+        takes_height |= row.drop_height_m.is_none();
+        takes_thickness |= row.thickness_m.is_none();
         let stated = |value: Option<f64>, asked: Option<f64>, what: &str, key: &str| {
             value.or(asked).ok_or_else(|| {
                 let problem = Problem::new(
@@ -157,7 +160,20 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
             .in_file(path)
             .hint(hint)
     })?;
-    Ok(report(fit, &tests, *request))
+    let mut report = report(fit, &tests, *request);
+    let idle = |key: &str, needs: &str| {
+        format!("`{key}` has no effect: all tests state theirs, and a design also needs {needs}")
+    };
+    let (height, thickness) = (request.drop_height_m, request.thickness_m);
+    if height.is_some() && !takes_height && thickness.or(request.limit_m_s2).is_none() {
+        report
+            .warnings
+            .push(idle("drop_height", "`thickness` or `limit`"));
+    }
+    if thickness.is_some() && !takes_thickness && height.is_none() {
+        report.warnings.push(idle("thickness", "`drop_height`"));
+    }
+    Ok(report)
 }
 
 impl CurveReport {

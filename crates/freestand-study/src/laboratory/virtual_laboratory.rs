@@ -485,7 +485,7 @@ mod tests {
             .collect();
         let request = DropRequest {
             files,
-            velocity_error_ratio: 0.01,
+            velocity_error_ratio: Some(0.01),
             gravity_m_s2: G0_M_S2,
             ..DropRequest::default()
         };
@@ -553,7 +553,7 @@ mod tests {
                 files: vec![path],
                 mass_kg: Some(0.365),
                 height_m: Some(0.1),
-                velocity_error_ratio: 0.01,
+                velocity_error_ratio: Some(0.01),
                 gravity_m_s2: G0_M_S2,
                 ..DropRequest::default()
             };

@@ -20,8 +20,7 @@ use crate::building::GivenStoreys;
 use crate::options::{self, Change, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
-use crate::target::Target;
-use crate::target::period_code;
+use crate::target::{Target, of_place_alone, period_code};
 use freestand_input::file::{file_name, load_up_to};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -141,10 +140,15 @@ impl StudySource {
     /// # Errors
     /// As [`load`] and [`resolve_with`].
     pub fn load(&self, overrides: &Overrides) -> Result<Study, Problems> {
-        match self {
+        let study = match self {
             Self::File(path) => load(path, overrides),
             Self::Text(text) => resolve_with(text, None, Path::new(""), overrides),
-        }
+        };
+        let is_beside = overrides.hazard.get("place").is_some();
+        study.map_err(|problems| match is_beside {
+            true => problems.into_iter().map(of_place_alone).collect(),
+            false => problems,
+        })
     }
 
     /// What people call it: the name of its file.

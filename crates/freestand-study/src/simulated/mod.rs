@@ -17,7 +17,7 @@ use freestand::synthesis::{
 use rayon::prelude::*;
 
 use self::assumptions::{assumptions, outside_limits};
-use crate::target::Target;
+use crate::target::{Target, of_place_alone};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
@@ -337,10 +337,16 @@ pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problem
         ("return_period_years", years.as_str()),
         ("site", SiteClass::Be.name()),
     ];
-    // Who names a city has named no code.
+    // Who names a city has named no code, and can give no other value of one.
     let of_city = |mut problem: Problem| {
+        let is_of_code = problem.is_about("code");
         problem.keys.retain(|key| key != "code");
-        problem
+        match is_of_code {
+            true => problem.hint(
+                "name a place of AS 1170.4: freestand place list; or give `magnitude` and `distance`",
+            ),
+            false => of_place_alone(problem),
+        }
     };
     Target::resolve(&words.into_iter().collect(), Path::new(""))
         .map_err(|problems| problems.into_iter().map(of_city).collect())

@@ -21,8 +21,8 @@ pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
     usual_periods_s,
 };
-pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
+pub use words::{of_place_alone, period_code};
 
 use crate::places::{Confidence, Place};
 use freestand_input::file::{InputFile, file_name};

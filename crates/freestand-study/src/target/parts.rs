@@ -89,6 +89,14 @@ impl Target {
                 problems
                     .problems
                     .retain(|problem| !problem.key().is_some_and(|key| filled.contains(&key)));
+                // A table is no code for parts.
+                let of_code = problems
+                    .problems
+                    .iter_mut()
+                    .filter(|one| one.is_about("code"));
+                for hint in of_code.flat_map(|one| &mut one.hint) {
+                    *hint = hint.replace(", table", "");
+                }
                 Err(problems)
             }
         }

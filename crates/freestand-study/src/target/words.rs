@@ -4,7 +4,7 @@ use std::path::Path;
 
 use freestand::code_spectrum::PeriodCode;
 use freestand_input::keys::Words;
-use freestand_input::problem::Problems;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
 
@@ -29,6 +29,23 @@ pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems
             }
         });
     reader.problems.finish(target)
+}
+
+/// The remedy for a place that is not known; where the values of a code may be given instead, they follow.
+const PLACES: &str = "freestand place list shows all places";
+
+/// The remedy for a key that the code does not take, where another code may be named; the names follow.
+const OR_ANOTHER_CODE: &str = "leave it out, or name a code that has it: ";
+
+/// A problem of a target as it is told where the place alone says what the hazard is.
+pub fn of_place_alone(problem: Problem) -> Problem {
+    match problem.hint.as_deref() {
+        Some(hint) if hint.starts_with(PLACES) => problem.hint(PLACES),
+        Some(hint) if hint.starts_with(OR_ANOTHER_CODE) => {
+            problem.hint("leave it out: the code of the place does not have it")
+        }
+        _ => problem,
+    }
 }
 
 /// The place, if one is named; `None` after a problem with it that leaves the code open. A misspelt
@@ -58,11 +75,9 @@ fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
             .map(|place| place.hazard.code()),
     };
     let hint = match near.as_slice() {
-        [] => {
-            "freestand place list shows all places; for any other, give the hazard itself, such as \
-                 `hazard_factor = \"0.08\"`"
-                .to_owned()
-        }
+        [] => format!(
+            "{PLACES}; for any other, give the hazard itself, such as `hazard_factor = \"0.08\"`"
+        ),
         names => {
             let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!("did you mean {}?", quoted.join(" or "))
@@ -181,7 +196,7 @@ fn check_keys(reader: &mut WordReader, code: Code) {
                 .to_owned()
         } else {
             format!(
-                "leave it out, or name a code that has it: `code = \"{}\"`",
+                "{OR_ANOTHER_CODE}`code = \"{}\"`",
                 takers.join("\"` or `code = \"")
             )
         };

@@ -391,6 +391,10 @@ fn fit(
         report.outcomes.push(outcomes);
     }
     report.warnings = report.all_warnings();
+    let of_hazard = report.added.iter().flat_map(|one| &one.hazard.warnings);
+    report
+        .warnings
+        .extend(of_hazard.cloned().collect::<Vec<_>>());
     if let RunObjects::Given(object) = &request.objects {
         report.warnings.extend(Sizes::of(&object.block).doubts());
     }
@@ -469,6 +473,15 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
         return Err(Problem::value(message, "name each measure once")
             .of(&["im"])
             .into());
+    }
+    // Beside a list, a place that none of the measures has would say nothing.
+    let is_listed = matches!(request.objects, RunObjects::Listed { .. });
+    let elsewhere = |measure: &Measure| measure.at(request.at).is_err();
+    if let Some(first) = asked
+        .first()
+        .filter(|_| is_listed && asked.iter().all(elsewhere))
+    {
+        first.at(request.at)?;
     }
     let placed = |measure: Measure| -> Result<(Measure, At), Problem> {
         // A place that was named holds for the measures that may be at either.

@@ -12,7 +12,7 @@ use freestand::identify::{
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
-use super::virtual_laboratory::check_speed;
+use super::virtual_laboratory::{DEFAULT_VELOCITY_ERROR_RATIO, check_speed};
 use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -64,8 +64,8 @@ pub struct DropRequest {
     pub height_m: Option<f64>,
     /// Speed at the first touch \[m/s\].
     pub impact_velocity_m_s: Option<f64>,
-    /// Relative standard deviation of the impact velocity.
-    pub velocity_error_ratio: f64,
+    /// Relative standard deviation of the impact velocity; `None`: the usual one.
+    pub velocity_error_ratio: Option<f64>,
     /// Gravity during the contact \[m/s²\].
     pub gravity_m_s2: f64,
     /// Corner frequency of the low-pass filter of the instrument \[Hz\].
@@ -215,6 +215,16 @@ fn one(
     let name = path.to_string_lossy().into_owned();
     warnings.extend(file.notes.iter().map(|note| format!("{name}: {note}")));
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
+    let dt_s = component.motion.dt_s();
+    if request
+        .read
+        .uneven_dt_s
+        .is_some_and(|asked_s| asked_s != dt_s)
+    {
+        warnings.push(format!(
+            "{name}: `resample` has no effect: the samples are evenly spaced already, by {dt_s} s"
+        ));
+    }
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
             value("the mass is not given")
@@ -222,8 +232,13 @@ fn one(
         ));
     };
     let (impact_velocity, velocity_source) = impact_velocity(request, &said).map_err(in_file)?;
-    if let ImpactVelocity::Known { speed_m_s, .. } = impact_velocity {
-        check_speed(speed_m_s).map_err(in_file)?;
+    match impact_velocity {
+        ImpactVelocity::Known { speed_m_s, .. } => check_speed(speed_m_s).map_err(in_file)?,
+        ImpactVelocity::FromImpulse if request.velocity_error_ratio.is_some() => warnings.push(format!(
+            "{name}: `velocity_error` has no effect: neither `height` nor `impact_velocity` is given, so the impact \
+             velocity is found from the pulse"
+        )),
+        ImpactVelocity::FromImpulse => {}
     }
     let setup = DropSetup {
         mass_kg,
@@ -309,7 +324,9 @@ fn impact_velocity(
 ) -> Result<(ImpactVelocity, VelocitySource), Problem> {
     let known = |speed_m_s| ImpactVelocity::Known {
         speed_m_s,
-        error_ratio: request.velocity_error_ratio,
+        error_ratio: request
+            .velocity_error_ratio
+            .unwrap_or(DEFAULT_VELOCITY_ERROR_RATIO),
     };
     let (speed_m_s, height_m) = match (request.impact_velocity_m_s, request.height_m) {
         (None, None) => {

@@ -339,7 +339,7 @@ mod tests {
     fn of(files: Vec<PathBuf>) -> DropsReport {
         let request = DropRequest {
             files,
-            velocity_error_ratio: 0.01,
+            velocity_error_ratio: Some(0.01),
             gravity_m_s2: G0_M_S2,
             ..Default::default()
         };
