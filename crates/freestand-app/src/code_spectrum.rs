@@ -85,7 +85,7 @@ impl Question for CodeSpectrum {
             Spectrum::Asce7(code) => code.edition() == Asce7Edition::Asce7_22,
             _ => false,
         };
-        if parts && target.as_ref().is_some_and(|target| !is_used(target)) {
+        if parts && building.1.is_some() && target.as_ref().is_some_and(|target| !is_used(target)) {
             read.idle(
                 &["building_period"],
                 "only ASCE 7-22 has parts whose acceleration depends on it",

@@ -79,22 +79,22 @@ fn check_design(read: &mut WordReader<'_>) {
         let message = "`limit` needs `drop_height`, from which the cushion must keep it";
         let hint = "give the drop height of the design, or leave `limit` out";
         read.missing(&["drop_height"], message, hint);
+        return;
     }
-    // Either makes a static stress.
-    let stress = ["static_stress", "mass", "area"]
-        .into_iter()
-        .find(|key| read.has(key));
-    let has_rest = has_height && (read.has("thickness") || read.has("limit"));
-    if let Some(key) = stress.filter(|_| !has_rest) {
-        let missing = match has_height {
-            true => "thickness",
-            false => "drop_height",
-        };
+    let is_design = has_height && (read.has("thickness") || read.has("limit"));
+    // A mass and an area make a static stress.
+    let mut stress = ["static_stress", "mass", "area"].into_iter();
+    if let Some(key) = stress.find(|key| !is_design && read.has(key)) {
         let message = format!(
             "`{key}` has no effect: a design also needs `drop_height`, and `thickness` or `limit`"
         );
+        let first = if has_height {
+            "thickness"
+        } else {
+            "drop_height"
+        };
         read.missing(
-            &[missing],
+            &[first],
             message,
             format!("give them, or leave `{key}` out"),
         );

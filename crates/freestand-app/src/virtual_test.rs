@@ -140,7 +140,7 @@ impl Question for VirtualTests {
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
         let (edge, plan) = if read.flag("static") {
             read.idle(&OF_DROPS, "a `static` test drops nothing");
-            if damping_needs_mass == Some(false) {
+            if damping_needs_mass == Some(false) && mass_kg.is_some() {
                 read.idle(
                     &["mass"],
                     "a `static` test drops nothing, and no damping ratio refers to it",

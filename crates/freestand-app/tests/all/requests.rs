@@ -158,7 +158,10 @@ fn without_files() -> Vec<Asked> {
             "cushion curve",
             json!({"drop_height": "600 mm", "mass": "70 kg", "area": "0.02 m2", "limit": "40 g"}),
         ),
-        ("cushion curve", json!({"static_stress": "3 kPa"})),
+        (
+            "cushion curve",
+            json!({"static_stress": "3 kPa", "drop_height": "600 mm", "thickness": "50 mm"}),
+        ),
         ("cushion static", json!({"load": "350 N"})),
         (
             "motion info",

@@ -600,6 +600,13 @@ fn bad_requests_say_what_is_wrong() {
             .any(|warning| warning.starts_with("`component` is not used by AS 1170.4")),
         "{told:?}"
     );
+    let of_a_spectrum = code(&[("code", "asce7"), ("sds", "1 g"), ("sd1", "0.6 g")]);
+    let told = restrain(cabinet(of_a_spectrum, None)).unwrap().warnings;
+    assert!(
+        told.iter()
+            .any(|one| one.starts_with("`sd1` has no effect")),
+        "{told:?}"
+    );
     let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
     let factors = RestrainFactors {
         response_ratio: Some(2.5),

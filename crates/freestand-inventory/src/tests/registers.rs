@@ -372,6 +372,11 @@ fn headings_that_nobody_knows_give_a_mapping_file_to_complete() {
     .unwrap();
     assert!(read(std::fs::read(&path).unwrap()).is_err());
     let headings = inspect_headings(&path, None).unwrap();
+    let elsewhere = inspect_headings(&path, Some("nosuch")).unwrap_err();
+    assert!(
+        elsewhere.to_string().contains("has no sheet \"nosuch\""),
+        "{elsewhere}"
+    );
     let named: Vec<&str> = headings.iter().map(|one| one.heading.as_str()).collect();
     assert_eq!(
         (named, headings[2].samples.as_slice()),

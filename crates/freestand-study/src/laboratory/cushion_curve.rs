@@ -300,6 +300,26 @@ mod tests {
         request.static_stress_pa = Some(30e3);
         let report = cushion_curve(&path, &request).unwrap();
         std::fs::remove_file(&path).unwrap();
+        std::fs::write(
+            &path,
+            "static stress [kPa],drop height [mm],thickness [mm],peak acceleration [g]\n4,600,50,60\n6,600,50,50\n\
+             10,600,50,44\n",
+        )
+        .unwrap();
+        for (key, drop_height_m, thickness_m) in [
+            ("drop_height", Some(0.6), None),
+            ("thickness", None, Some(0.05)),
+        ] {
+            let request = CurveRequest {
+                drop_height_m,
+                thickness_m,
+                ..CurveRequest::default()
+            };
+            let told = cushion_curve(&path, &request).unwrap().warnings;
+            let words = format!("`{key}` has no effect");
+            assert!(told.iter().any(|one| one.starts_with(&words)), "{told:?}");
+        }
+        std::fs::remove_file(&path).unwrap();
         let best = report.best.unwrap();
         assert!((best.static_stress_pa / 10e3 - 1.0).abs() < 1e-9);
         assert!((report.peak_g(report.best).unwrap() - 27.1828).abs() < 1e-4);

@@ -491,6 +491,28 @@ mod tests {
         };
         let report = drop_tests(&request).unwrap();
         assert_eq!(report.warnings, Vec::<String>::new());
+        // Where the velocity is found from the pulse, and the samples are evenly spaced.
+        let path = folder.path().join("unsaid.csv");
+        let said = std::fs::read_to_string(&request.files[0]).unwrap();
+        let unsaid: String = said
+            .split_inclusive('\n')
+            .filter(|line| !line.contains("height"))
+            .collect();
+        std::fs::write(&path, unsaid).unwrap();
+        let read = ReadOptions {
+            uneven_dt_s: Some(1e-6),
+            ..ReadOptions::default()
+        };
+        let idle = DropRequest {
+            files: vec![path],
+            read,
+            ..request.clone()
+        };
+        let told = drop_tests(&idle).unwrap().warnings;
+        for key in ["velocity_error", "resample"] {
+            let words = format!("`{key}` has no effect");
+            assert!(told.iter().any(|one| one.contains(&words)), "{told:?}");
+        }
         assert!(report.all_gave() && report.tests.iter().all(|test| test.test.flags.is_empty()));
         let pooled = &report.pooled;
         let pad = pooled.pad.as_ref().unwrap();

@@ -25,6 +25,13 @@ fn points_are_read_and_refused_with_their_cell() {
     let read = file("pgv [cm/s],annual_rate\n5,0.02\n50,0.0002\n").unwrap();
     assert_eq!((read.measure, read.at), (Measure::Pgv, At::Ground));
     assert!((read.hazard.annual_rate(0.05) - 0.02).abs() < 1e-15);
+    let text = b"pgv [m/s],annual_rate\n0.05,0.02\n0.5,0.0002\n";
+    let place = HazardPlace::Stated(None);
+    let sited = from_file(text, Path::new("h.csv"), place, Some((151.2, -33.9))).unwrap();
+    assert_eq!(
+        (read.warnings.len(), sited.warnings),
+        (0, vec![NO_SITES.to_owned()])
+    );
     let cases = [
         (
             "pgv [cm/s],annual_rate\n10,0.02\n10,0.01\n",
