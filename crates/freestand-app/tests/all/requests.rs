@@ -636,6 +636,32 @@ fn bad_requests_have_the_problems_of_the_table() {
     );
 }
 
+/// The keys in backticks of a text.
+fn named(text: &str) -> Vec<&str> {
+    let quoted = text.split('`').skip(1).step_by(2);
+    quoted
+        .filter_map(|words| words.split(" = ").next())
+        .collect()
+}
+
+#[test]
+fn messages_and_hints_name_keys_that_the_command_has() {
+    let mut strange = std::collections::BTreeSet::new();
+    for asked in typed().iter().chain(&of_programs()) {
+        let known = (of(asked.0).unwrap().keys)();
+        for problem in problems(asked).into_iter().flatten() {
+            let hint = problem.hint.clone().unwrap_or_default();
+            for key in named(&problem.message).into_iter().chain(named(&hint)) {
+                let is_given = asked.1.get(key).is_some() || problem.is_about(key);
+                if !known.iter().any(|one| one == key) && !is_given {
+                    strange.insert(format!("{}: {key}: {} ({hint})", asked.0, problem.message));
+                }
+            }
+        }
+    }
+    assert!(strange.is_empty(), "{strange:#?}");
+}
+
 /// `false` and `null` are what was not asked.
 #[test]
 fn what_is_not_asked_is_no_problem() {
