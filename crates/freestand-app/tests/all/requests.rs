@@ -522,6 +522,11 @@ fn of_programs() -> Vec<Asked> {
             json!({"place": "Melbourne", "parts": true, "building_height_m": 30, "building_period_s": 1}),
         ),
         ("motion simulate", json!({"city": "Wellington"})),
+        ("motion simulate", json!({"city": "Atlantis"})),
+        (
+            "spectrum",
+            json!({"heights": [1], "thicknesses": [0.3], "place": "Nowhere"}),
+        ),
         (
             "spectrum",
             json!({"heights": [1], "thicknesses": [0.3], "place": "Lisbon", "return_period_years": 500}),
