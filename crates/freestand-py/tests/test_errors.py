@@ -35,7 +35,7 @@ def caught(kind, call):
         (lambda: fs.Block("1", 0.5), "height_m"),
         (lambda: fs.Block(True, 0.5), "height_m"),
         (lambda: fs.Block(1, float("nan")), "thickness_m"),
-        (lambda: fs.Block(1e19, 0.5), 'height_m: "1e19" is too large'),
+        (lambda: fs.Block(1, 0.5, 1e19), 'mass_kg: "1e19" is too large'),
         (lambda: fs.Block(1, 0.5, inertia_kg_m2=3), "mass_kg"),
         (lambda: fs.Block(1, 0.5, base_width_m=0.6), "base"),
         (lambda: fs.Block(1, 0.5, 100, stiffness_n_m=-4), "stiffness_n_m"),
