@@ -19,7 +19,6 @@ use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
 use freestand_study::resolve::{Hazard, Values, of_values};
 use freestand_study::spectrum::{Grid, SpectrumMotion, SpectrumRequest, SpectrumTiming};
-use freestand_study::target::of_place_alone;
 use freestand_study::unsolved::rocking_problem;
 
 use crate::block::{Rocking, accuracy, model, restitution};
@@ -295,9 +294,7 @@ fn shaking(request: &Spectrum, read: &mut WordReader<'_>) -> Option<Shaking> {
         storey_height_m,
     };
     if read.has("place") {
-        let alone = |problems: Problems| problems.into_iter().map(of_place_alone).collect();
-        read.problems
-            .keep(of_values(&values).map_err(alone as fn(Problems) -> Problems));
+        read.problems.keep(of_values(&values));
     }
     let level_ratio = level_ratio.unwrap_or(0.0);
     if !(0.0..=1.0).contains(&level_ratio) {

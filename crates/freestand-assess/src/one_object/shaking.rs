@@ -1,7 +1,5 @@
 //! The study of one object: what shakes it.
 
-use std::path::Path;
-
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, SpectrumType};
 use freestand::decision::Looks;
@@ -173,7 +171,7 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
             problem
         }
     };
-    let checked = Target::resolve(hazard, Path::new("")).map(|_| ());
+    let checked = Target::resolve_place(hazard).map(|_| ());
     checked.map_err(|problems| problems.into_iter().map(told).collect())
 }
 

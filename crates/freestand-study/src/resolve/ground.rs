@@ -312,6 +312,7 @@ impl Resolver<'_> {
     ) -> Option<Target> {
         let target = match self.values.and_then(Values::spectrum) {
             Some(target) => Ok(target.clone()),
+            None if self.has_place_alone => Target::resolve_place(&written.target),
             None => Target::resolve(&written.target, self.base_dir),
         };
         let resolved = target.and_then(|target| {

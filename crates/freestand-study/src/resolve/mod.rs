@@ -20,7 +20,7 @@ use crate::building::GivenStoreys;
 use crate::options::{self, Change, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
-use crate::target::{Target, of_place_alone, period_code};
+use crate::target::{Target, period_code};
 use freestand_input::file::{file_name, load_up_to};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -140,15 +140,10 @@ impl StudySource {
     /// # Errors
     /// As [`load`] and [`resolve_with`].
     pub fn load(&self, overrides: &Overrides) -> Result<Study, Problems> {
-        let study = match self {
+        match self {
             Self::File(path) => load(path, overrides),
             Self::Text(text) => resolve_with(text, None, Path::new(""), overrides),
-        };
-        let is_beside = overrides.hazard.get("place").is_some();
-        study.map_err(|problems| match is_beside {
-            true => problems.into_iter().map(of_place_alone).collect(),
-            false => problems,
-        })
+        }
     }
 
     /// What people call it: the name of its file.
@@ -282,6 +277,7 @@ fn resolve_as(
         source,
         base_dir,
         values,
+        has_place_alone: values.is_some() || overrides.hazard.get("place").is_some(),
         problems,
         warnings: Vec::new(),
         notes: Vec::new(),
@@ -437,6 +433,8 @@ struct Resolver<'a> {
     base_dir: &'a Path,
     /// Where nothing is written.
     values: Option<&'a Values>,
+    /// Whether the place was given beside the study, where no code or value of one can be.
+    has_place_alone: bool,
     problems: Problems,
     warnings: Vec<String>,
     /// Of all records that are read, with their names.

@@ -3,8 +3,6 @@
 mod assumptions;
 mod words;
 
-use std::path::Path;
-
 use freestand::G0_M_S2;
 use freestand::code_spectrum::SiteClass;
 use freestand::measures::{Measures, measures};
@@ -17,7 +15,7 @@ use freestand::synthesis::{
 use rayon::prelude::*;
 
 use self::assumptions::{assumptions, outside_limits};
-use crate::target::{Target, of_place_alone};
+use crate::target::Target;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
@@ -345,10 +343,10 @@ pub fn city_rock(city: &str, return_period_years: u32) -> Result<Target, Problem
             true => problem.hint(
                 "name a place of AS 1170.4: freestand place list; or give `magnitude` and `distance`",
             ),
-            false => of_place_alone(problem),
+            false => problem,
         }
     };
-    Target::resolve(&words.into_iter().collect(), Path::new(""))
+    Target::resolve_place(&words.into_iter().collect())
         .map_err(|problems| problems.into_iter().map(of_city).collect())
 }
 

@@ -21,8 +21,9 @@ pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
     usual_periods_s,
 };
+use words::Remedies;
+pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
-pub use words::{of_place_alone, period_code};
 
 use crate::places::{Confidence, Place};
 use freestand_input::file::{InputFile, file_name};
@@ -79,7 +80,19 @@ impl Target {
     /// # Ok::<(), freestand_input::problem::Problems>(())
     /// ```
     pub fn resolve(words: &Words, base_dir: &Path) -> Result<Self, Problems> {
-        words::resolve(words, base_dir).map(|mut target| {
+        Self::resolve_as(words, base_dir, Remedies::Codes)
+    }
+
+    /// As [`Target::resolve`], of words beside which nobody can name a code or its values: no remedy does.
+    ///
+    /// # Errors
+    /// As [`Target::resolve`].
+    pub fn resolve_place(words: &Words) -> Result<Self, Problems> {
+        Self::resolve_as(words, Path::new(""), Remedies::PlaceAlone)
+    }
+
+    fn resolve_as(words: &Words, base_dir: &Path, remedies: Remedies) -> Result<Self, Problems> {
+        words::resolve(words, base_dir, remedies).map(|mut target| {
             target.warnings.append(&mut target.period_warnings);
             target
         })

@@ -9,7 +9,7 @@ use freestand_input::words::number;
 use super::Target;
 use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
-use super::words;
+use super::words::{self, Remedies};
 use crate::places::Place;
 
 impl Target {
@@ -38,6 +38,12 @@ impl Target {
             return Err(nameless(words).into());
         }
         let code = words.get("code").and_then(Code::parse);
+        if let (Some(text), None) = (words.get("code"), code) {
+            // A table is no code for parts.
+            let codes = CODES.iter().map(|(_, code)| *code);
+            let known = codes.filter(|code| *code != Code::Table);
+            return Err(words::unknown_code(text, known).into());
+        }
         if code == Some(Code::Table) {
             let hint = "name a code, such as `code = \"asce7\"`, or a place";
             return Err(Problem::value("a table has no clause for parts", hint)
@@ -78,7 +84,7 @@ impl Target {
                 words.set("long_period", DEFAULT_LONG_PERIOD_WORDS);
             }
         }
-        match words::resolve(&words, "".as_ref()) {
+        match words::resolve(&words, "".as_ref(), Remedies::Codes) {
             // The clauses use no long periods.
             Ok(target) => Ok(Self {
                 period_warnings: Vec::new(),
@@ -89,14 +95,6 @@ impl Target {
                 problems
                     .problems
                     .retain(|problem| !problem.key().is_some_and(|key| filled.contains(&key)));
-                // A table is no code for parts.
-                let of_code = problems
-                    .problems
-                    .iter_mut()
-                    .filter(|one| one.is_about("code"));
-                for hint in of_code.flat_map(|one| &mut one.hint) {
-                    *hint = hint.replace(", table", "");
-                }
                 Err(problems)
             }
         }
@@ -219,5 +217,13 @@ mod tests {
             let error = of(words).unwrap_err();
             assert!(error.contains(expected), "{words:?}: {error}");
         }
+    }
+
+    #[test]
+    fn only_codes_with_clauses_are_known() {
+        let words = [("code", "asce8")].into_iter().collect();
+        let problems = Target::for_parts(&words).unwrap_err().problems;
+        let hint = "known: as1170.4, eurocode8, asce7, nzs1170.5";
+        assert_eq!(problems[0].hint.as_deref(), Some(hint));
     }
 }

@@ -591,3 +591,30 @@ fn mapped_accelerations_with_a_site_class() {
         "{got:?}"
     );
 }
+
+/// Beside a place alone, no remedy names a code or a value that nobody can give.
+#[test]
+fn remedies_name_what_can_be_given() {
+    let hints = |pairs: Pairs, is_alone: bool| {
+        let words = pairs.iter().copied().collect();
+        let found = match is_alone {
+            true => Target::resolve_place(&words),
+            false => Target::resolve(&words, "".as_ref()),
+        };
+        let problems = found.unwrap_err().problems;
+        let hints: Vec<String> = problems.into_iter().filter_map(|one| one.hint).collect();
+        assert_eq!(hints.len(), 1, "{pairs:?}: {hints:?}");
+        hints.concat()
+    };
+    let cases: [(Pairs, &str); 2] = [
+        (&[("place", "Nowhere")], "hazard_factor"),
+        (
+            &[("place", "Lisbon"), ("return_period_years", "500")],
+            "`code = ",
+        ),
+    ];
+    for (pairs, other) in cases {
+        assert!(hints(pairs, false).contains(other), "{pairs:?}");
+        assert!(!hints(pairs, true).contains(other), "{pairs:?}");
+    }
+}

@@ -13,13 +13,26 @@ use super::codes::place_key;
 use super::{Target, codes, table};
 use crate::places::{Place, near, places};
 
-pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems> {
+/// What a person may write besides a place, and so what a remedy may name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Remedies {
+    /// A code and its values.
+    Codes,
+    /// Nothing: the place says what the hazard is.
+    PlaceAlone,
+}
+
+pub(super) fn resolve(
+    words: &Words,
+    base_dir: &Path,
+    remedies: Remedies,
+) -> Result<Target, Problems> {
     let mut reader = WordReader::new(words);
-    let target = place(&mut reader)
+    let target = place(&mut reader, remedies)
         .and_then(|place| Some((code(&mut reader, place)?, place)))
         .and_then(|found| {
             let (code, place) = found;
-            check_keys(&mut reader, code);
+            check_keys(&mut reader, code, remedies);
             match code {
                 Code::As1170_4 => codes::as1170_4(&mut reader, place),
                 Code::Eurocode8 => codes::eurocode8(&mut reader, place),
@@ -31,26 +44,9 @@ pub(super) fn resolve(words: &Words, base_dir: &Path) -> Result<Target, Problems
     reader.problems.finish(target)
 }
 
-/// The remedy for a place that is not known; where the values of a code may be given instead, they follow.
-const PLACES: &str = "freestand place list shows all places";
-
-/// The remedy for a key that the code does not take, where another code may be named; the names follow.
-const OR_ANOTHER_CODE: &str = "leave it out, or name a code that has it: ";
-
-/// A problem of a target as it is told where the place alone says what the hazard is.
-pub fn of_place_alone(problem: Problem) -> Problem {
-    match problem.hint.as_deref() {
-        Some(hint) if hint.starts_with(PLACES) => problem.hint(PLACES),
-        Some(hint) if hint.starts_with(OR_ANOTHER_CODE) => {
-            problem.hint("leave it out: the code of the place does not have it")
-        }
-        _ => problem,
-    }
-}
-
 /// The place, if one is named; `None` after a problem with it that leaves the code open. A misspelt
 /// place is noted, and another of the code stands in for it so that the other words are checked.
-fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
+fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<&'static Place>> {
     if reader.has("place") && reader.has("city") {
         reader.note(
             &["place", "city"],
@@ -75,9 +71,14 @@ fn place(reader: &mut WordReader) -> Option<Option<&'static Place>> {
             .map(|place| place.hazard.code()),
     };
     let hint = match near.as_slice() {
-        [] => format!(
-            "{PLACES}; for any other, give the hazard itself, such as `hazard_factor = \"0.08\"`"
-        ),
+        [] if remedies == Remedies::PlaceAlone => {
+            "freestand place list shows all places".to_owned()
+        }
+        [] => {
+            "freestand place list shows all places; for any other, give the hazard itself, such as \
+                 `hazard_factor = \"0.08\"`"
+                .to_owned()
+        }
         names => {
             let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             format!("did you mean {}?", quoted.join(" or "))
@@ -127,11 +128,17 @@ fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
         return None;
     }
     if found.is_none() {
-        let names: Vec<&str> = CODES.iter().map(|(_, code)| code.name()).collect();
-        let message = format!("`code` \"{}\" is not known", shorten(text));
-        reader.note(&["code"], message, format!("known: {}", names.join(", ")));
+        let known = CODES.iter().map(|(_, code)| *code);
+        reader.problems.push(unknown_code(text, known));
     }
     found
+}
+
+/// The problem with the name of a code that is not one of these.
+pub(super) fn unknown_code(text: &str, known: impl Iterator<Item = Code>) -> Problem {
+    let names: Vec<&str> = known.map(Code::name).collect();
+    let message = format!("`code` \"{}\" is not known", shorten(text));
+    Problem::value(message, format!("known: {}", names.join(", "))).of(&["code"])
 }
 
 /// The name of the code that the words describe; AS 1170.4 where they name none. `None` for a code
@@ -180,7 +187,7 @@ pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
 }
 
 /// Refuses keys that the code does not take.
-fn check_keys(reader: &mut WordReader, code: Code) {
+fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies) {
     let strangers = reader
         .words
         .entries()
@@ -191,12 +198,14 @@ fn check_keys(reader: &mut WordReader, code: Code) {
             .filter(|(_, other)| other.keys().contains(&key))
             .map(|(_, other)| other.name())
             .collect();
-        let hint = if code == Code::Table || takers == ["table"] {
+        let hint = if remedies == Remedies::PlaceAlone {
+            "leave it out: the code of the place does not have it".to_owned()
+        } else if code == Code::Table || takers == ["table"] {
             "leave it out; a spectrum is either that of a code or the table in `spectrum`"
                 .to_owned()
         } else {
             format!(
-                "{OR_ANOTHER_CODE}`code = \"{}\"`",
+                "leave it out, or name a code that has it: `code = \"{}\"`",
                 takers.join("\"` or `code = \"")
             )
         };
