@@ -137,7 +137,8 @@ impl Rotate {
         let pair = self.pair.files(&mut read, files);
         let of_azimuth = |problem: &&mut Problem| problem.is_about("azimuth");
         for problem in read.problems.problems.iter_mut().filter(of_azimuth) {
-            problem.hint = Some("give the azimuth of the new component as `to`".to_owned());
+            problem.hint =
+                Some("leave it out: the azimuth of the new component is `to`".to_owned());
         }
         let hint = "give the azimuth of the new component, such as `to = \"30 deg\"`";
         read.require("to", "`to` is missing", hint);
