@@ -37,6 +37,9 @@ impl Choice {
     }
 }
 
+/// What is said of a value that no quantity has, as of quantities elsewhere.
+pub(super) const TOO_LARGE: &str = "is too large: no quantity is above 1e18 in SI units";
+
 /// Why a cell has no value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Wrong {
@@ -46,12 +49,8 @@ pub(super) struct Wrong {
 }
 
 impl Wrong {
-    /// A value that no quantity has, as quantities elsewhere say it.
     pub(super) fn too_large() -> Self {
-        Self::because(
-            Kind::OutOfRange,
-            "is too large: no quantity is above 1e18 in SI units",
-        )
+        Self::because(Kind::OutOfRange, TOO_LARGE)
     }
 
     pub(super) fn because(kind: Kind, detail: &str) -> Self {
@@ -333,11 +332,10 @@ impl Wanted {
         }
         let value = |number: &Number, unit: Option<CellUnit>| -> Result<f64, Wrong> {
             let text = self.choice.read(number)?;
-            let value = match unit {
-                Some(unit) => unit.read(&text).ok(),
-                None => text.parse().ok(),
-            };
-            Ok(value.ok_or(Kind::Unreadable)?)
+            match unit {
+                Some(unit) => unit.read(&text).map_err(|_| Wrong::too_large()),
+                None => text.parse().map_err(|_| Kind::Unreadable.into()),
+            }
         };
         let (low, high) = (value(low, first)?, value(high, second)?);
         if low > 0.0 && high > low && high <= 5.0 * low {

@@ -58,7 +58,7 @@ impl<'a> Given<'a> {
 
     pub(super) fn number(&self, column: Column) -> Option<f64> {
         match self.get(column)? {
-            Value::Number(value) if value.is_finite() => Some(*value),
+            Value::Number(value) => Some(*value),
             _ => None,
         }
     }

@@ -8,7 +8,9 @@ use freestand_input::words::canonical;
 use freestand_study::study::assessment::Questions;
 
 use super::cell::{Cell, Row, row_at};
-use super::cells::{Choice, Measured, Wrong, is_open, number_text, quantity, with_pulse};
+use super::cells::{
+    Choice, Measured, TOO_LARGE, Wrong, is_open, number_text, quantity, with_pulse,
+};
 use super::columns::Column;
 use super::given::Given;
 use super::headings::dimension;
@@ -136,7 +138,10 @@ impl<'a> Values<'a> {
     pub(super) fn number(&mut self, column: Column) -> Option<f64> {
         match self {
             Self::Cells(cells) => cells.quantity(column).map(|found| found.si),
-            Self::Given(given) => given.number(column),
+            Self::Given(given) => {
+                let value = given.number(column);
+                self.accepted(column, value, |value| is_possible(*value), TOO_LARGE)
+            }
         }
     }
 
@@ -183,9 +188,9 @@ impl<'a> Values<'a> {
     }
 
     /// The stiffness under one edge, where it is given as it is \[N/m\].
-    pub(super) fn given_stiffness(&self) -> Option<f64> {
+    pub(super) fn given_stiffness(&mut self) -> Option<f64> {
         match self {
-            Self::Given(given) => given.number(Column::Stiffness),
+            Self::Given(_) => self.number(Column::Stiffness),
             Self::Cells(_) => None,
         }
     }
@@ -223,7 +228,8 @@ impl<'a> Values<'a> {
             Self::Cells(cells) => cells.range(column),
             Self::Given(given) => {
                 let ends = given.range(column);
-                self.accepted(column, ends, |ends| is_rising(*ends), NOT_RISING)
+                let ends = self.accepted(column, ends, |ends| is_rising(*ends), NOT_RISING);
+                self.accepted(column, ends, |ends| is_possible(ends.1), TOO_LARGE)
             }
         }
     }

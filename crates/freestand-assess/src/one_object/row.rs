@@ -217,6 +217,41 @@ mod tests {
     use super::*;
     use freestand_inventory::Kind;
 
+    /// The row of an object at a third of the height.
+    fn read(object: Object) -> Result<Row, Problems> {
+        let request = ObjectRequest {
+            object,
+            earthquake: Earthquake::Place(Words::default()),
+            floor: Floor {
+                place: FloorPlace::Share(1.0 / 3.0),
+                storeys: None,
+                storey_height_m: None,
+            },
+            worlds: None,
+            seed: None,
+            units: UnitSystem::Si,
+        };
+        row(&request, &of_values(&Values::default()).unwrap())
+    }
+
+    #[test]
+    fn values_that_are_too_large_are_refused() {
+        let object = Object {
+            mass_kg: Some(1e30),
+            rests_on: Some(RestsOn::Stiffness(f64::INFINITY)),
+            friction_ratio: Some((0.3, 1e30)),
+            ..Object::of_size(2.0, 0.5)
+        };
+        let problems = read(object).err().unwrap().problems;
+        let mut keys: Vec<&str> = problems.iter().filter_map(Problem::key).collect();
+        keys.sort_unstable();
+        assert_eq!(keys, ["friction", "mass", "on"]);
+        for problem in &problems {
+            assert!(problem.message.contains("is too large"), "{problem}");
+            assert!(problem.hint.is_some(), "{problem}");
+        }
+    }
+
     /// Values keep their bits. In a list, 2.125 could be 2125 too: a value has one meaning.
     #[test]
     fn values_are_taken_as_they_are() {
@@ -231,20 +266,7 @@ mod tests {
             }),
             ..Object::of_size(5.0 * third, third)
         };
-        let request = ObjectRequest {
-            object,
-            earthquake: Earthquake::Place(Words::default()),
-            floor: Floor {
-                place: FloorPlace::Share(third),
-                storeys: None,
-                storey_height_m: None,
-            },
-            worlds: None,
-            seed: None,
-            units: UnitSystem::Si,
-        };
-        let Row { item, warnings } =
-            row(&request, &of_values(&Values::default()).unwrap()).unwrap();
+        let Row { item, warnings } = read(object).unwrap();
         // It is below 0.3 g, and that is all.
         assert_eq!(warnings.len(), 1, "{warnings:?}");
         let sizes = (item.height_m, item.thickness_m, item.width_m);
