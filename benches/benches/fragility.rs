@@ -61,6 +61,7 @@ fn request(
         rotation_ratio: None,
         hazard: None,
         site_deg: None,
+        site_is_exported: false,
         fit: FitMethod::Curves(FitKind::Ordered),
         replicates: Some(replicates),
         seed: 1,

@@ -74,6 +74,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         request.site_deg,
         only,
     )?;
+    warnings.extend(hazard.site_doubt(request.site_deg));
     warnings.extend(hazard.warnings.iter().cloned());
     inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {

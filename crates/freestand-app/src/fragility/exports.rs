@@ -24,6 +24,11 @@ impl Exports {
         self.are_known && !self.take_hazard()
     }
 
+    /// Whether a program is named that takes the coordinates of objects.
+    pub(super) fn take_site(&self) -> bool {
+        self.take_hazard()
+    }
+
     /// Whether a program is named that takes a hazard.
     pub(super) fn take_hazard(&self) -> bool {
         let mut requests = self.requests.iter();

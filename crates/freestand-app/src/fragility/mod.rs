@@ -328,6 +328,7 @@ impl Fitting {
             max_scale_ratio: chosen.max_scale_ratio,
             hazard,
             site_deg: self.site_deg,
+            site_is_exported: self.exports.take_site(),
             rotation_ratio: chosen.rotation_ratio,
             fit: self.fit,
             replicates: self.replicates,

@@ -54,7 +54,11 @@ pub(super) fn run(
         .notes
         .into_iter()
         .chain(report.warnings.iter().cloned());
-    let warnings: Vec<String> = of_runs.chain(exported.warnings).collect();
+    let mut warnings: Vec<String> = of_runs.collect();
+    // Both read the hazard.
+    let of_exports = exported.warnings.into_iter();
+    let others: Vec<String> = of_exports.filter(|one| !warnings.contains(one)).collect();
+    warnings.extend(others);
     if files.wanted() {
         let go_on = || {
             stop.go_on()

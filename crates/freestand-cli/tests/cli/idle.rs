@@ -1,6 +1,8 @@
 //! What is given is read, or refused as having no effect: in every mode of a command, a value that is
 //! nonsense is refused, whatever its flag. A mode that does not read a flag would accept it.
 
+use std::ffi::OsStr;
+use std::path::Path;
 use std::process::{Command, Stdio};
 
 use crate::program::{PROGRAM, root};
@@ -187,6 +189,45 @@ fn flags_without_effect_are_refused() {
         let named: Vec<&str> = errors.filter_map(|error| error.split(' ').next()).collect();
         assert_eq!(named.join(" "), flags, "{line}\n{told}");
     }
+}
+
+/// The warnings of a command.
+fn warned(folder: &Path, line: &str) -> String {
+    let record = root().join(RECORD);
+    let words = line.split_whitespace().map(|word| match word {
+        "RECORD" => record.as_os_str(),
+        _ => OsStr::new(word),
+    });
+    let output = Command::new(PROGRAM)
+        .args(words)
+        .current_dir(folder)
+        .output()
+        .unwrap();
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(0), "{line}\n{told}");
+    told
+}
+
+/// Coordinates are for a hazard file with sites, or for exported objects.
+#[test]
+fn coordinates_that_choose_no_site_are_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let openquake = "#,,,,\"kind='mean', investigation_time=50.0, imt='PGV'\"\nlon,lat,depth,poe-0.01,poe-1.0,poe-2.0\n\
+                     151.2,-33.9,0.0,1.0,0.1,0.01\n";
+    let ours = "pgv [m/s],annual_rate\n0.05,0.02\n0.5,0.0002\n";
+    std::fs::write(folder.join("openquake.csv"), openquake).unwrap();
+    std::fs::write(folder.join("ours.csv"), ours).unwrap();
+    let runs = "fragility --motion RECORD --height 1.8m --thickness 0.5m --method stripes --im pgv --at ground --bootstrap 0 \
+                --site-coordinates 151.2,-33.9 --hazard";
+    let said = |rest: &str| warned(folder, &format!("{runs} {rest}"));
+    let idle = "--site-coordinates has no effect";
+    assert!(said("ours.csv").contains(idle));
+    assert!(!said("openquake.csv").contains(idle));
+    assert!(!said("ours.csv --format openquake --out ours").contains(idle));
+    // What is wrong with the curve is said once, however many read it.
+    let told = said("openquake.csv --format openquake --out theirs");
+    assert_eq!(told.matches("1 point left out").count(), 1, "{told}");
 }
 
 #[test]

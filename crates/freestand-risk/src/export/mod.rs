@@ -15,9 +15,7 @@ use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
 use crate::costs::{CostRow, Costs, load_costs};
-use crate::fragility::{
-    FragilityReport, HazardPlace, HazardSource, NO_SITES, ObjectFragility, hazard_of,
-};
+use crate::fragility::{FragilityReport, HazardPlace, HazardSource, ObjectFragility, hazard_of};
 
 use points::Points;
 
@@ -176,9 +174,8 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                     )
                 })
                 .transpose()?;
-            // Here the coordinates are those of the objects.
-            let of_hazard = hazard.iter().flat_map(|hazard| &hazard.warnings);
-            warnings.extend(of_hazard.filter(|one| *one != NO_SITES).cloned());
+            // The coordinates are those of the objects, too.
+            warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
             openquake::files(
                 report,
                 request,

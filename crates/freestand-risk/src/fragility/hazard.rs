@@ -76,11 +76,21 @@ pub struct MeasuredHazard {
     pub at: At,
     /// The file that it was read from.
     pub file: Option<InputFile>,
+    /// Whether coordinates choose one of its sites.
+    pub has_sites: bool,
     /// What to know beside it.
     pub warnings: Vec<String>,
 }
 
 impl MeasuredHazard {
+    /// What is said of coordinates that are for it alone, and choose none of its sites.
+    pub(crate) fn site_doubt(&self, site_deg: Option<(f64, f64)>) -> Option<String> {
+        let is_idle = site_deg.is_some() && !self.has_sites;
+        is_idle.then(|| {
+            "`site_coordinates` has no effect: the file of the hazard curve has no sites".to_owned()
+        })
+    }
+
     /// Refuses a hazard of another measure than that of outcomes.
     pub(crate) fn check(&self, measure: Measure, at: At) -> Result<(), Problem> {
         if self.measure == measure && self.at == at {
@@ -186,6 +196,7 @@ pub(crate) fn hazard_of(
                 measure,
                 at,
                 file: None,
+                has_sites: false,
                 warnings: Vec::new(),
             })
         }
@@ -256,13 +267,10 @@ fn from_file(
         measure,
         at: place.of(measure)?,
         file,
-        warnings: site_deg.map(|_| NO_SITES.to_owned()).into_iter().collect(),
+        has_sites: false,
+        warnings: Vec::new(),
     })
 }
-
-/// What is said of coordinates beside a file that has no sites.
-pub(crate) const NO_SITES: &str =
-    "`site_coordinates` chooses no site of the hazard curve: its file has none";
 
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
 /// it.
@@ -465,6 +473,7 @@ fn openquake(
         measure,
         at: place.of(measure)?,
         file: None,
+        has_sites: true,
         warnings,
     })
 }
@@ -645,6 +654,7 @@ fn of_code(
         measure,
         at: At::Ground,
         file: None,
+        has_sites: false,
         warnings,
     })
 }

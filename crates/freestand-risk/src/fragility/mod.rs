@@ -32,7 +32,7 @@ pub(crate) use curves::contradictions;
 use curves::{CAPACITY, CAUTION, capacities_text};
 pub use curves::{ObjectCurves, load_curves};
 pub use hazard::MeasuredHazard;
-pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, NO_SITES, hazard_of, number_and_unit};
+pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, hazard_of, number_and_unit};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;

@@ -27,11 +27,9 @@ fn points_are_read_and_refused_with_their_cell() {
     assert!((read.hazard.annual_rate(0.05) - 0.02).abs() < 1e-15);
     let text = b"pgv [m/s],annual_rate\n0.05,0.02\n0.5,0.0002\n";
     let place = HazardPlace::Stated(None);
-    let sited = from_file(text, Path::new("h.csv"), place, Some((151.2, -33.9))).unwrap();
-    assert_eq!(
-        (read.warnings.len(), sited.warnings),
-        (0, vec![NO_SITES.to_owned()])
-    );
+    let site = Some((151.2, -33.9));
+    let sited = from_file(text, Path::new("h.csv"), place, site).unwrap();
+    assert!(sited.site_doubt(site).is_some() && sited.site_doubt(None).is_none());
     let cases = [
         (
             "pgv [cm/s],annual_rate\n10,0.02\n10,0.01\n",
@@ -112,6 +110,7 @@ fn curves_of_openquake_become_rates() {
         (points.len(), read_one.measure, read_one.warnings.len()),
         (2, Measure::Pgv, 1)
     );
+    assert_eq!(read_one.site_doubt(Some((151.2, -33.9))), None);
     assert!((points[0].intensity - 0.1).abs() < 1e-15);
     assert!((points[0].annual_rate + 0.9_f64.ln() / 50.0).abs() < 1e-15);
     assert!(only(read(None)).message.contains("2 sites"));

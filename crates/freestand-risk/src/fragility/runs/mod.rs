@@ -391,10 +391,11 @@ fn fit(
         report.outcomes.push(outcomes);
     }
     report.warnings = report.all_warnings();
-    let of_hazard = report.added.iter().flat_map(|one| &one.hazard.warnings);
-    report
-        .warnings
-        .extend(of_hazard.cloned().collect::<Vec<_>>());
+    if let Some(Added { hazard, .. }) = &report.added {
+        let site_deg = request.site_deg.filter(|_| !request.site_is_exported);
+        report.warnings.extend(hazard.site_doubt(site_deg));
+        report.warnings.extend(hazard.warnings.iter().cloned());
+    }
     if let RunObjects::Given(object) = &request.objects {
         report.warnings.extend(Sizes::of(&object.block).doubts());
     }

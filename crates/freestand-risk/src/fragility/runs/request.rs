@@ -266,6 +266,8 @@ pub struct RunsRequest {
     pub hazard: Option<HazardSource>,
     /// Longitude and latitude of the site, for a hazard file with several \[degrees\].
     pub site_deg: Option<(f64, f64)>,
+    /// Whether these coordinates are those of exported objects, too.
+    pub site_is_exported: bool,
     /// Rotation over α beyond which a tolerance is exceeded.
     pub rotation_ratio: Option<f64>,
     /// How limit states are fitted.
