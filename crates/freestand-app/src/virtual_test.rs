@@ -6,11 +6,11 @@ use clap::ArgAction;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::problem::Problems;
-use freestand_input::quantity::{Dimension, parse};
+use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::laboratory::virtual_laboratory::assume_damping;
+use freestand_study::laboratory::virtual_laboratory::{assume_damping, leave_out_damping};
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::CushionUnder;
@@ -113,7 +113,8 @@ pub enum Plan {
 }
 
 /// Keys that only drops read.
-const OF_DROPS: [&str; 8] = [
+const OF_DROPS: [&str; 9] = [
+    "mass",
     "height",
     "sample_rate",
     "bias",
@@ -124,6 +125,9 @@ const OF_DROPS: [&str; 8] = [
     "gravity",
 ];
 
+/// Keys of forces that come with the speed.
+const OF_SPEED: [&str; 2] = ["damping", "dissipation"];
+
 /// Keys that only static tests read.
 const OF_STATIC: [&str; 4] = ["load", "hysteresis", "slack", "machine_compliance"];
 
@@ -133,27 +137,29 @@ impl Question for VirtualTests {
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let mass_kg = read.positive("mass", Dimension::Mass);
+        let is_static = read.flag("static");
+        let mass_kg = match is_static {
+            true => None,
+            false => read.positive("mass", Dimension::Mass),
+        };
         let noise = read.share("noise");
-        let (edge, damping_needs_mass) = self.edge(&mut read, mass_kg, files).unzip();
+        let edge = self.edge(&mut read, is_static, mass_kg, files);
         let count = read.whole_within("count", 1..=1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
-        let (edge, plan) = if read.flag("static") {
+        let (edge, plan) = if is_static {
             read.idle(&OF_DROPS, "a `static` test drops nothing");
-            if damping_needs_mass == Some(false) && mass_kg.is_some() {
-                read.idle(
-                    &["mass"],
-                    "a `static` test drops nothing, and no damping ratio refers to it",
-                );
-            }
+            read.idle(&OF_SPEED, "a `static` test is too slow to feel it");
+            read.idle(&["pad_thickness"], "it serves warnings about drops");
             let options = presses(&mut read, noise, seed);
             let edge = read.problems.finish(edge)?;
             (edge, Plan::Static(options))
         } else {
             read.idle(&OF_STATIC, "only a `static` test reads it");
             let options = drops(&mut read, mass_kg, noise, seed);
-            let (edge, options) = read.problems.finish(edge.zip(options))?;
+            let (mut edge, options) = read.problems.finish(edge.zip(options))?;
             let options = options(&edge.cushion);
+            let doubts: Vec<String> = edge.stiffness_doubts(options.mass_kg).collect();
+            edge.notes.extend(doubts);
             (edge, Plan::Drop(options))
         };
         Ok(Meant {
@@ -171,26 +177,32 @@ impl Question for VirtualTests {
 }
 
 impl VirtualTests {
-    /// The cushion, with the damping that its law needs, and whether that refers to the mass.
+    /// The cushion, with the damping that its law needs; without damping if it is pressed slowly.
     fn edge(
         &self,
         read: &mut WordReader<'_>,
+        is_static: bool,
         mass_kg: Option<f64>,
         files: &Files,
-    ) -> Option<(EdgeCushion, bool)> {
+    ) -> Option<EdgeCushion> {
         if self.pad.words().is_empty() {
             let hint = "give `stiffness`, such as \"2190 N/mm\"";
             read.missing(&["stiffness"], "the cushion is missing", hint);
         }
         let mut words = self.pad.described(read, files)?;
-        let assumed = assume_damping(&mut words);
+        let assumed = match is_static {
+            true => {
+                leave_out_damping(&mut words);
+                words.remove("pad_thickness");
+                Vec::new()
+            }
+            false => assume_damping(&mut words),
+        };
         // A wrong mass has been told, and is not missing.
         let mass_kg = mass_kg.or(read.has("mass").then_some(1.0));
         let edge = self.pad.of_words(&words, read, mass_kg, files)?;
         let notes = [edge.notes, assumed].concat();
-        let damping = words.get("damping");
-        let is_ratio = damping.is_some_and(|text| parse(text, Dimension::Ratio).is_ok());
-        Some((EdgeCushion { notes, ..edge }, is_ratio))
+        Some(EdgeCushion { notes, ..edge })
     }
 }
 

@@ -656,6 +656,7 @@ fn messages_and_hints_name_keys_that_the_command_has() {
         let known = (of(asked.0).unwrap().keys)();
         for problem in problems(asked).into_iter().flatten() {
             let hint = problem.hint.clone().unwrap_or_default();
+            assert!(!hint.is_empty(), "{}: {}", asked.0, problem.message);
             for key in named(&problem.message).into_iter().chain(named(&hint)) {
                 let is_given = asked.1.get(key).is_some() || problem.is_about(key);
                 if !known.iter().any(|one| one == key) && !is_given {
@@ -665,6 +666,18 @@ fn messages_and_hints_name_keys_that_the_command_has() {
         }
     }
     assert!(strange.is_empty(), "{strange:#?}");
+}
+
+/// No mass is needed for a damping that is not felt.
+#[test]
+fn a_static_test_of_a_damped_pad_needs_no_mass() {
+    for (law, stiffness) in [
+        ("Kelvin-Voigt", "1100 N/mm"),
+        ("hunt-crossley", "2e7 N/m^1.5"),
+    ] {
+        let asked = json!({"static": true, "stiffness": stiffness, "law": law});
+        assert_eq!(problems(&("cushion simulate", asked)), None, "{law}");
+    }
 }
 
 /// `false` and `null` are what was not asked.

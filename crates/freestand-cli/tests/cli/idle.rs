@@ -173,6 +173,10 @@ fn flags_without_effect_are_refused() {
             "cushion simulate --static --stiffness 1100N/mm --bounces 2 --gravity 1g",
             "--bounces --gravity",
         ),
+        (
+            "cushion simulate --static --stiffness 1100N/mm --law kelvin-voigt --damping 5% --mass 3kg --pad-thickness 9mm",
+            "--mass --damping --pad-thickness",
+        ),
     ];
     for (line, flags) in cases {
         let words = line
@@ -228,6 +232,21 @@ fn coordinates_that_choose_no_site_are_said() {
     // What is wrong with the curve is said once, however many read it.
     let told = said("openquake.csv --format openquake --out theirs");
     assert_eq!(told.matches("1 point left out").count(), 1, "{told}");
+}
+
+/// A thickness of a pad that serves warnings gives them.
+#[test]
+fn pads_that_are_too_thin_for_a_weight_are_said() {
+    let lines = [
+        "cushion simulate --stiffness 4N/mm --mass 3kg --height 100mm",
+        "fragility --motion RECORD --height 1.8m --thickness 0.5m --bootstrap 0 --mass 100kg --stiffness 100N/mm",
+    ];
+    for line in lines {
+        let of = |thickness: &str| warned(&root(), &format!("{line} --pad-thickness {thickness}"));
+        let words = "the weight alone would compress the cushion";
+        assert!(of("1mm").contains(words), "{line}");
+        assert!(!of("50mm").contains(words), "{line}");
+    }
 }
 
 #[test]

@@ -398,6 +398,9 @@ fn fit(
     }
     if let RunObjects::Given(object) = &request.objects {
         report.warnings.extend(Sizes::of(&object.block).doubts());
+        let body = object.body.iter();
+        let doubts = body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg));
+        report.warnings.extend(doubts);
     }
     Ok(report)
 }
