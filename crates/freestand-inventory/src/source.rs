@@ -54,8 +54,8 @@ pub(super) fn load(path: &Path) -> Result<Vec<u8>, Problem> {
     )
 }
 
-/// The first rows of a list, whatever its headings are: of the sheet with most of them, or with the
-/// separator that finds most cells.
+/// The first rows of a list, whatever its headings are: of the sheet, or with the separator, that gives most
+/// headings of an inventory, or else most cells.
 ///
 /// # Errors
 /// A file that is neither CSV nor XLSX.
@@ -87,8 +87,13 @@ pub(super) fn first_rows(bytes: Vec<u8>, sheet: Option<&str>) -> Result<Vec<Row>
             }
         }
     }
-    let cells = |rows: &Vec<Row>| rows.iter().map(|row| row.cells.len()).sum::<usize>();
-    Ok(found.into_iter().max_by_key(cells).unwrap_or_default())
+    let known_and_cells = |rows: &Vec<Row>| {
+        let known = find_header(rows, None).map_or(0, |header| header.known);
+        let cells = rows.iter().map(|row| row.cells.len()).sum::<usize>();
+        (known, cells)
+    };
+    let best = found.into_iter().max_by_key(known_and_cells);
+    Ok(best.unwrap_or_default())
 }
 
 /// Refuses a sheet that is named of a CSV.

@@ -361,6 +361,17 @@ fn a_turkish_list_is_read_alone() {
     );
 }
 
+/// The sheet that explains the columns of the template has more cells than the list.
+#[test]
+fn the_headings_of_a_workbook_are_those_of_its_list() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("list.xlsx");
+    std::fs::write(&path, template_xlsx().unwrap()).unwrap();
+    let headings = inspect_headings(&path, None).unwrap();
+    let named: Vec<_> = headings.iter().take(3).map(|one| one.name).collect();
+    assert_eq!(named, [Some("id"), Some("item"), Some("quantity")]);
+}
+
 #[test]
 fn headings_that_nobody_knows_give_a_mapping_file_to_complete() {
     let folder = tempfile::tempdir().unwrap();
