@@ -13,7 +13,7 @@ pub const RULE: &str = "Order of the list: first what to restrain, then what to 
 
 /// What the rank of an object depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Urgency {
+pub(crate) struct Urgency {
     decision: Decision,
     life_safety: Option<Rating>,
     /// P(it falls) and P(its tolerance is exceeded), by the model that decides.
@@ -26,7 +26,7 @@ pub struct Urgency {
 
 impl Urgency {
     /// Of an object and its assessment.
-    pub fn new(item: &Item, found: &Assessment) -> Self {
+    pub(crate) fn new(item: &Item, found: &Assessment) -> Self {
         let value = |p: Option<Probability>| p.map_or(0.0, |p| p.value);
         Self {
             decision: found.decision,
@@ -40,7 +40,7 @@ impl Urgency {
     }
 
     /// The order of [`RULE`]: the more urgent object is the lesser.
-    pub fn order(&self, other: &Self) -> Ordering {
+    pub(crate) fn order(&self, other: &Self) -> Ordering {
         let [falls, exceeds] = self.probabilities;
         let [other_falls, other_exceeds] = other.probabilities;
         self.decision

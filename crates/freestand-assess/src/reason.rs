@@ -3,11 +3,11 @@
 
 use freestand_study::study::Unstated;
 use serde::{Deserialize, Serialize};
-use strum::IntoStaticStr;
+use strum::{EnumCount, IntoStaticStr};
 
 /// Why an object has its decision. The numbers are those of its [`Assessment`](crate::result::Assessment)
 /// where a reason has none of its own.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, EnumCount)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reason {
     /// It is reported as anchored, and nothing was assessed.
@@ -44,7 +44,7 @@ pub enum Reason {
     SofterPad,
     /// What exceeds its tolerance is the acceleration of the floor.
     FloorTooStrong,
-    /// No softer pad was looked for.
+    /// No softer pad would help.
     NoPadHelps(NoPad),
     /// Its stiffness is a range from the cushion library.
     StiffnessIsRange,
@@ -111,12 +111,10 @@ impl Criterion {
     }
 }
 
-/// Why no softer pad was looked for.
+/// Why no softer pad helps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NoPad {
-    /// It has no tolerance.
-    NoTolerance,
     /// It rolls on its casters.
     Rolls,
     /// It slides on its base.
@@ -143,7 +141,7 @@ pub struct Slips {
 }
 
 /// What there is to know beside the reasons.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, EnumCount)]
 #[serde(rename_all = "kebab-case")]
 pub enum Note {
     /// The shock at its wall is not compared with its tolerance: mass or stiffness of the wall are not given.

@@ -279,15 +279,6 @@ pub struct Braked {
     pub stands: bool,
 }
 
-/// Sliding while rocking: the worlds in which rocking needs more friction than the list gives.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct Slipped {
-    /// How many.
-    pub worlds: u32,
-    /// Whether its pads answer there, with that friction.
-    pub on_pads: bool,
-}
-
 /// P(it falls) if a wall stood behind an object for which the list gives none, on a rigid base in the
 /// same worlds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -473,8 +464,6 @@ pub struct Assessment {
     pub decision: Decision,
     /// Why, in the order in which it is told.
     pub why: Vec<Reason>,
-    /// What nobody stated of its shaking, where that alone keeps it from being left as it is.
-    pub unstated: Option<Unstated>,
     /// The tier that decided: 0 it rocks in no world, 2 histories on a rigid base, 3 also on the
     /// compliant base.
     pub tier: u8,

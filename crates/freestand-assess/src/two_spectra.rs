@@ -11,14 +11,14 @@ use freestand_inventory::Item;
 
 /// Whether the result by the other spectrum is the worse one: the more urgent by [`crate::rank::RULE`], which for one
 /// object compares the decision, the probability that it falls and the probability that its tolerance is exceeded.
-pub fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
+pub(crate) fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
     Urgency::new(item, other)
         .order(&Urgency::new(item, one))
         .is_lt()
 }
 
 /// The result that counts; where it is that by the other spectrum, it says so. `study` is that of the other spectrum.
-pub fn worse(item: &Item, study: &Study, one: Assessment, mut other: Assessment) -> Assessment {
+pub(crate) fn worse(item: &Item, study: &Study, one: Assessment, mut other: Assessment) -> Assessment {
     if !is_worse(item, &one, &other) {
         return one;
     }
@@ -27,7 +27,7 @@ pub fn worse(item: &Item, study: &Study, one: Assessment, mut other: Assessment)
 }
 
 /// The type of the spectrum of `study`.
-pub fn spectrum_type(study: &Study) -> u8 {
+pub(crate) fn spectrum_type(study: &Study) -> u8 {
     study
         .ground
         .code_spectrum()

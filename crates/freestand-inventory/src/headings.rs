@@ -472,7 +472,7 @@ fn suffixed(text: &str) -> Option<Meaning> {
         })
 }
 
-/// Whether words behind a name make it the name of something else: `Height above floor`,
+/// Whether words after a name make it the name of something else: `Height above floor`,
 /// `Weight limit`, `Hauteur sous plafond`.
 fn is_another(found: &Meaning, words: &str) -> bool {
     const OTHERS: &str = "above below to from under over off limit contents content capacity load loading shelf \
@@ -493,7 +493,7 @@ fn is_another(found: &Meaning, words: &str) -> bool {
             .any(|word| is_among(word, OTHERS))
 }
 
-/// Whether the words behind a name are its unit and words that do not change it.
+/// Whether the words after a name are its unit and words that do not change it.
 fn is_only_unit(text: &str, column: Column) -> bool {
     let is_whole = dimension(column).is_some_and(|dimension| find(text, dimension).is_ok());
     let words = text

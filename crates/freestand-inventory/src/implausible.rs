@@ -161,7 +161,7 @@ pub(super) fn confirm(
     }
 }
 
-/// Why a size is not believed, behind "was read as".
+/// Why a size is not believed, after "was read as".
 fn why(value_m: f64, column: Column, item: &Item, usual: Option<&Usual>) -> Option<String> {
     let range = range(column);
     let said = |what: String| Some(format!("{} m, {what}", number(value_m, 4)));

@@ -37,7 +37,7 @@ pub(super) struct Header {
     pub above: usize,
     /// Number of cells in the row of headings, where the file says so.
     pub width: Option<u32>,
-    /// The first row of what stands above it, behind the table before.
+    /// The first row of what stands above it, after the table before.
     pub first_row: u32,
 }
 

@@ -1,4 +1,4 @@
-//! Results as people read them, in plain text: one module for each kind of result. A function takes the
+//! Results as people read them: sentences, tables, pages, workbooks and figures. A function takes the
 //! struct that the calculation gives, and calculates nothing itself.
 
 pub mod assessment;

@@ -1,6 +1,6 @@
 //! The furniture of FEMA P-58 under computed floor motions: the table of `docs/risk.md`.
 //!
-//! `cargo run --release -p freestand-assess --example bookcases [SEED]`
+//! `cargo run --release -p freestand-risk --example bookcases [SEED]`
 
 #![expect(clippy::print_stdout, reason = "the result is what it prints")]
 

@@ -1,4 +1,4 @@
-//! From a study as written to its results, figures and report, and the requests of single commands.
+//! From a study as written to its results, and the requests of single commands.
 
 pub mod at_place;
 pub mod building;

@@ -1,4 +1,4 @@
-//! Requests as all shells fill them.
+//! Requests as all shells fill them, and assessments from end to end.
 
 mod assessments;
 mod requests;

@@ -1,12 +1,12 @@
 //! One object: whether an earthquake rocks it and whether it falls over, in one sentence.
 //!
 //! It is one row of an assessment. `row` judges its values as those of a row of a list, `shaking` makes the
-//! study; [`one_object`] lets the object live through its worlds as [`crate::job`] does, and `sentence` says
-//! what comes out.
+//! study; [`one_object`] lets the object live through its worlds as [`crate::portfolio`] does for a
+//! list. `freestand-report` says what comes out.
 
 mod row;
 mod shaking;
-mod told;
+mod earthquake;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -16,6 +16,7 @@ use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
 
 use crate::result::Assessment;
+use crate::reason::Reason;
 use crate::two_spectra::{is_worse, spectrum_type};
 use crate::verdict::{Context, Member, Subject, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
@@ -25,13 +26,13 @@ use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
 
 pub use shaking::check_place;
-pub use told::NamedEarthquake;
+pub use earthquake::NamedEarthquake;
 
 /// Schema of the document of `freestand object`.
 pub const SCHEMA: &str = "freestand.object/1";
 
 /// The largest number of scales.
-pub const MAX_SCALES: usize = 100;
+const MAX_SCALES: usize = 100;
 
 /// Above any peak acceleration of a ground that was recorded, by far \[m/s²\]: 10 g.
 const MAX_PEAK_M_S2: f64 = 98.0665;
@@ -177,8 +178,6 @@ pub struct ObjectResult {
     pub scales: Vec<AtScale>,
     /// What is doubtful about the request.
     pub warnings: Vec<String>,
-    /// The type of the spectrum that decides, where the national annex has two and the second is the worse.
-    pub decides: Option<u8>,
 }
 
 /// An object under its motions, all multiplied by a scale.
@@ -224,13 +223,14 @@ pub fn one_object_shown(
     let Some(other) = other else {
         return Ok(one);
     };
-    let decides = Some(spectrum_type(&other.study));
     // Motions of one spectrum must not serve for the other.
-    let other = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
-    if !is_worse(&other.0.item, &one.0.at_one.found, &other.0.at_one.found) {
+    let (mut other, shown) = in_study(request, other, &Memory::default(), follow, wants_to_stop)?;
+    if !is_worse(&other.item, &one.0.at_one.found, &other.at_one.found) {
         return Ok(one);
     }
-    Ok((ObjectResult { decides, ..other.0 }, other.1))
+    let decides = Reason::Spectrum(spectrum_type(&other.study));
+    other.at_one.found.why.push(decides);
+    Ok((other, shown))
 }
 
 /// As [`one_object_shown`], in one study.
@@ -292,13 +292,12 @@ fn in_study(
     warnings.extend(row.warnings);
     let result = ObjectResult {
         study: shaken.study,
-        earthquake: shaken.told,
+        earthquake: shaken.earthquake,
         earthquake_words: shaken.words,
         item: row.item,
         at_one,
         scales,
         warnings,
-        decides: None,
     };
     Ok((result, shown))
 }

@@ -14,7 +14,7 @@ use freestand_study::study::assessment::{Settings, Spread};
 use freestand_study::study::{Ground, Level, Study};
 use freestand_study::target::Target;
 
-use super::told::NamedEarthquake;
+use super::earthquake::NamedEarthquake;
 use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
 
 /// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
@@ -24,7 +24,7 @@ const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B
 #[derive(Clone)]
 pub(super) struct Shaken {
     pub(super) study: Study,
-    pub(super) told: NamedEarthquake,
+    pub(super) earthquake: NamedEarthquake,
     /// Its earthquake in full.
     pub(super) words: String,
     pub(super) warnings: Vec<String>,
@@ -95,7 +95,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             Shaken {
                 warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
                 study,
-                told: NamedEarthquake::GroundAcceleration { peak_g },
+                earthquake: NamedEarthquake::GroundAcceleration { peak_g },
                 words,
             }
         }
@@ -124,7 +124,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             as_given(&mut study.assessment, motions.len())?;
             Shaken {
                 study,
-                told: NamedEarthquake::Motions,
+                earthquake: NamedEarthquake::Motions,
                 words,
                 warnings,
             }
@@ -159,7 +159,7 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
     let elsewhere =
         "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();
-    let told = |problem: Problem| {
+    let earthquake = |problem: Problem| {
         if problem.is_about("return_period_years")
             && Place::find(name).is_some_and(|place| !place.hazard.takes_return_period())
         {
@@ -172,7 +172,7 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
         }
     };
     let checked = Target::resolve_place(hazard).map(|_| ());
-    checked.map_err(|problems| problems.into_iter().map(told).collect())
+    checked.map_err(|problems| problems.into_iter().map(earthquake).collect())
 }
 
 /// The warnings for an object on the ground: the building has no part in the answer. `None`: it is on a floor.
@@ -204,28 +204,28 @@ fn as_given(settings: &mut Settings, motions: usize) -> Result<(), Problem> {
 fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
     let target = study.ground.code_spectrum();
     let own = name.unwrap_or_else(|| "the built-in study".to_owned());
-    let (told, words) = match (&study.ground, target) {
+    let (earthquake, words) = match (&study.ground, target) {
         (Ground::Synthetic(_), Some(target)) => {
-            (told_target(target, names_site, &own), target.one_line())
+            (named(target, names_site, &own), target.one_line())
         }
         _ => {
             let motions = study.ground.names(&study.levels).len();
-            let told = NamedEarthquake::MotionsOfStudy {
+            let earthquake = NamedEarthquake::MotionsOfStudy {
                 motions,
                 study: own.clone(),
             };
-            (told, format!("the motions of {own}"))
+            (earthquake, format!("the motions of {own}"))
         }
     };
     Shaken {
         warnings: study.warnings.clone(),
         study,
-        told,
+        earthquake,
         words,
     }
 }
 
-fn told_target(target: &Target, names_site: bool, study: &str) -> NamedEarthquake {
+fn named(target: &Target, names_site: bool, study: &str) -> NamedEarthquake {
     let years = target.spectrum.return_period_years();
     let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
     let noun = if is_eurocode8 { "ground" } else { "site" };

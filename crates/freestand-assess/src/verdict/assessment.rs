@@ -13,7 +13,7 @@ use crate::restraint::is_beyond_code;
 use crate::result::{
     Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
     FallsAnswer, FloorFacts, InSpace, ObjectModel, OnRigidBase, Ranked, Rolled, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Slipped, Softening, Stacked,
+    Sliding, SlidingVerdict, Softening, Stacked,
 };
 use crate::worlds::FloorOfWorld;
 use freestand_input::problem::Problems;
@@ -107,7 +107,6 @@ pub(super) fn assessment(
             .followed_on_pads()
             .any(|(_, axes)| axes.iter().any(|one| one.found.has_let_go()));
     let (decision, why) = decide(&Case {
-        accepted_ratio: member.accepted_ratio,
         answers: &answers,
         lifts: lifts_at_all,
         decides: trial
@@ -160,20 +159,13 @@ pub(super) fn assessment(
                 room_m: trial.subject.way.room_m(),
             }),
             (None, Some(unstated)) => {
-                assessed.unstated = Some(unstated);
                 assessed.why.push(Reason::Unstated(unstated));
             }
             (None, None) => {}
         }
     }
-    assessed.slipped = slipped(trial);
-    if let Some(slipped) = &assessed.slipped {
-        let slips = Slips {
-            worlds: slipped.worlds,
-            of: trial.lived.len() as u32,
-            friction_ratio: trial.subject.friction_ratio.unwrap_or_default(),
-        };
-        if slipped.on_pads {
+    if let Some((slips, on_pads)) = slipped(trial) {
+        if on_pads {
             assessed.why.push(Reason::Slips(slips));
         } else {
             let why = without_pads(trial);
@@ -366,14 +358,17 @@ fn stacked(trial: &Trial) -> Option<Stacked> {
     })
 }
 
-/// The worlds in which it slides while it rocks; `None`: there are none.
-fn slipped(trial: &Trial) -> Option<Slipped> {
+/// The worlds in which it slides while it rocks, and whether its pads answer in all of them; `None`: there are
+/// none.
+fn slipped(trial: &Trial) -> Option<(Slips, bool)> {
     let slips = || trial.lived.iter().filter(|one| one.slips);
     let worlds = u32::try_from(slips().count()).unwrap_or(u32::MAX);
-    (worlds > 0).then(|| Slipped {
+    let slipped = Slips {
         worlds,
-        on_pads: slips().all(Lived::is_for_pads),
-    })
+        of: trial.lived.len() as u32,
+        friction_ratio: trial.subject.friction_ratio.unwrap_or_default(),
+    };
+    (worlds > 0).then(|| (slipped, slips().all(Lived::is_for_pads)))
 }
 
 fn floor_facts(trial: &Trial) -> FloorFacts {

@@ -48,7 +48,6 @@ pub(super) fn settled(by_answers: Decision, loose: Option<Decision>, unstated: b
 /// What a decision is made from.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Case<'a> {
-    pub(super) accepted_ratio: f64,
     pub(super) answers: &'a Answers,
     /// Whether it uplifts in any world by any model.
     pub(super) lifts: bool,
@@ -149,7 +148,6 @@ mod tests {
 
     fn case(answers: &Answers) -> Case<'_> {
         Case {
-            accepted_ratio: 0.1,
             answers,
             lifts: true,
             decides: true,

@@ -192,11 +192,8 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     }
 }
 
-/// Why no softer pad was looked for.
+/// Why no softer pad helps.
 pub(super) fn beyond_pads(trial: &Trial) -> NoPad {
-    let Some(capacity) = &trial.subject.capacity else {
-        return NoPad::NoTolerance;
-    };
     match trial.subject.way {
         Way::Rolls(_) => return NoPad::Rolls,
         Way::Slides(_) => return NoPad::Slides,
@@ -205,7 +202,8 @@ pub(super) fn beyond_pads(trial: &Trial) -> NoPad {
     let Some(body) = &trial.subject.body else {
         return NoPad::NoPads;
     };
-    if !capacity.needs_shock() {
+    let capacity = trial.subject.capacity.as_ref();
+    if capacity.is_some_and(|capacity| !capacity.needs_shock()) {
         return NoPad::Uplift;
     }
     if body.cushion.linear_stiffness_n_m().is_none() {

@@ -195,7 +195,10 @@ fn keys_in_messages_are_flags() {
         .map(|word| word.trim_matches(['"', ')']))
         .collect();
     let mut texts = Vec::new();
-    sources(&root().join("crates/freestand-risk/src"), &mut texts);
+    for name in ["app", "report", "risk"] {
+        let folder = format!("crates/freestand-{name}/src");
+        sources(&root().join(folder), &mut texts);
+    }
     let mut seen = 0;
     let lines = texts
         .iter()
@@ -231,11 +234,11 @@ fn flags_in_messages_exist() {
         .map(|word| word.trim_matches(['"', ')']))
         .collect();
     let mut texts = Vec::new();
-    for name in ["assess", "cli", "input", "output", "records", "study"] {
-        sources(
-            &root().join(format!("crates/freestand-{name}/src")),
-            &mut texts,
-        );
+    for name in [
+        "app", "assess", "cli", "input", "inventory", "output", "records", "report", "risk", "study",
+    ] {
+        let folder = format!("crates/freestand-{name}/src");
+        sources(&root().join(folder), &mut texts);
     }
     let mut seen = HashSet::new();
     let lines = texts

@@ -169,7 +169,7 @@ def _study_file(study: Any) -> Iterator[str | None]:
     except OSError as error:
         hint = "change to a folder that you may write, or write the study to a file and give its path"
         raise bad(f"study: the current folder cannot hold its text: {error}", hint) from None
-    # Files that begin so are shown as a study that was given as text (freestand-assess, output/head.rs).
+    # Files that begin so are shown as a study that was given as text (freestand-report, assessment/head.rs).
     try:
         yield str(path)
     except StudyError as error:

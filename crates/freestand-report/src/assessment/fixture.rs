@@ -246,7 +246,6 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         id: item.id.clone(),
         decision,
         why: vec![Reason::Falling { lifts: true }],
-        unstated: None,
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,
@@ -302,7 +301,6 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             speed_m_s_median: 0.31,
             acceleration_g_median: Some(2.4),
         }),
-        slipped: None,
         before_wall: None,
         rolled: (index % 4 == 2).then_some(Rolled {
             travel_m_median: 0.21,
@@ -474,7 +472,6 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         at_wall: None,
         rolled: None,
         braked: None,
-        slipped: None,
         before_wall: None,
         on_pads: None,
         shares: None,

@@ -193,7 +193,7 @@ fn falling(found: &Assessment, answers: &Answers, lifts: bool) -> String {
                 .worlds_needed
                 .map_or(few, |needed| few_worlds(answers.worlds_cap, needed));
             format!(
-                "It falls in {} of {worlds} against {limit}: too close to call.{few}{models}",
+                "It falls in {} of {worlds} against the accepted {limit}: too close to call.{few}{models}",
                 spread(p)
             )
         }
@@ -222,7 +222,7 @@ fn mild(why: TooMild, found: &Assessment, answers: &Answers, p: Probability) -> 
 /// How many worlds would do, where the study allows fewer.
 fn few_worlds(most: u32, needed: u32) -> String {
     format!(
-        " {} are too few to leave it as it is, even if it falls in none: at least {needed} would do: give most = {needed} in [worlds].",
+        " {} are too few to leave it as it is, even if it falls in none: give most = {needed} or more in [worlds].",
         counted(most as usize, "world")
     )
 }
@@ -284,7 +284,7 @@ fn shock(found: &Assessment, answers: &Answers, governing: Option<Criterion>) ->
         }
         ShockAnswer::Close => {
             format!(
-                "{what} in {} of the worlds against {limit}: too close to call.{models}",
+                "{what} in {} of the worlds against the accepted {limit}: too close to call.{models}",
                 spread(p)
             )
         }
@@ -329,11 +329,11 @@ pub(super) fn softer_pad(pad: &Softening, accepted_ratio: f64) -> String {
             "A pad of at most {stiffness} under one edge brings it to at most {exceed}; {pressed}."
         ),
         PadOutcome::Pressed(most_ratio) => format!(
-            "with {stiffness} under one edge {pressed} (95 % of the worlds), more than {}.",
+            "with {stiffness} under one edge {pressed} in 95 % of the worlds, more than {}.",
             percent(most_ratio)
         ),
         PadOutcome::Falls => {
-            format!("with {stiffness} under one edge it falls in up to {overturn}.")
+            format!("with {stiffness} under one edge it falls in up to {overturn} of the worlds.")
         }
         PadOutcome::Exceeded => {
             let close = if pad.is_close {
@@ -342,7 +342,7 @@ pub(super) fn softer_pad(pad: &Softening, accepted_ratio: f64) -> String {
                 ""
             };
             format!(
-                "with {stiffness} under one edge its tolerance is still exceeded in up to {exceed}, against the \
+                "with {stiffness} under one edge its tolerance is still exceeded in up to {exceed} of the worlds, against the \
                  accepted {}{close}.",
                 percent(accepted_ratio)
             )
@@ -350,15 +350,14 @@ pub(super) fn softer_pad(pad: &Softening, accepted_ratio: f64) -> String {
     }
 }
 
-/// Why no softer pad was looked for.
+/// Why no softer pad helps.
 fn no_pad(why: NoPad) -> &'static str {
     match why {
-        NoPad::NoTolerance => "no tolerance was given",
         NoPad::Rolls => "it rolls on its casters",
         NoPad::Slides => "it slides on its base",
         NoPad::NoPads => "its pads were not given",
         NoPad::Uplift => "its uplift on a rigid base does not depend on the stiffness",
-        NoPad::NoSpring => "its cushion is not a spring, so no softer one was looked for",
+        NoPad::NoSpring => "its cushion is not a spring",
         NoPad::Other => "what exceeds its tolerance does not depend on the pad",
     }
 }
@@ -526,10 +525,10 @@ fn side(p: Probability, accepted_ratio: f64) -> Side {
 fn before_wall(before: &BeforeWall, accepted_ratio: f64) -> String {
     let sides = [before.touching, before.at_50_mm].map(|p| side(p, accepted_ratio));
     let enough = match sides {
-        [Side::Below, Side::Below] => ", and either would be enough",
-        [Side::Below, _] => ", and touching it would be enough",
-        [_, Side::Below] => ", and that gap would be enough",
-        [Side::Above, Side::Above] => ", and neither would be enough",
+        [Side::Below, Side::Below] => ", and at either it would stand",
+        [Side::Below, _] => ", and touching it, it would stand",
+        [_, Side::Below] => ", and with that gap it would stand",
+        [Side::Above, Side::Above] => ", and at neither it would stand",
         _ => "",
     };
     format!(
@@ -604,7 +603,7 @@ fn of_note(note: &Note, found: &Assessment) -> String {
         Note::SlipsWithoutPads { slips, why } => slips_without_pads(slips, *why, found),
         Note::Flat(flat) => flat_words(flat),
         Note::OneRealisation => {
-            "In three dimensions a single history is one realisation: its shares and fractiles can be trusted."
+            "In three dimensions trust the shares and fractiles of all worlds, not a single history."
                 .to_owned()
         }
         Note::OneComponent => {
@@ -662,6 +661,8 @@ fn slips_without_pads(slips: &Slips, why: WithoutPads, found: &Assessment) -> St
 
 #[cfg(test)]
 mod tests {
+    use strum::EnumCount as _;
+
     use super::*;
     use crate::assessment::fixture::{assessment, item};
 
@@ -700,7 +701,15 @@ mod tests {
     fn full() -> (Item, Assessment) {
         let item = item(1);
         let mut found = assessment(&item, 0);
-        found.answers = Some(answers());
+        found.answers = Some(Answers {
+            rigid: Some(ModelAnswers {
+                overturn: p(0.2, 0.16, 0.25),
+                exceed: Some(p(0.04, 0.02, 0.07)),
+            }),
+            ..answers()
+        });
+        found.restraint[0].anchor_tension_n = 0.0;
+        found.restraint[1].kind = freestand_assess::result::RestraintKind::Floor;
         found.softening = Some(Softening {
             max_stiffness_n_m: Some(1.1e6),
             stroke_m: Some(0.011),
@@ -802,8 +811,11 @@ mod tests {
             Reason::BeforeWall,
             Reason::Spectrum(2),
         ];
+        // None is forgotten: what is not listed above is a pad that does not help.
+        let named: std::collections::HashSet<_> =
+            reasons.iter().map(std::mem::discriminant).collect();
+        assert_eq!(named.len() + 1, Reason::COUNT);
         let pads = [
-            NoPad::NoTolerance,
             NoPad::Rolls,
             NoPad::Slides,
             NoPad::NoPads,
@@ -930,6 +942,56 @@ mod tests {
                 number(high, 2)
             ));
         }
+        let mut say = |name: &str, found: &Assessment, reason: Reason| {
+            told.push(format!("{name}\n  {}", sentence(&reason, &item, found)));
+        };
+        for has_wall in [false, true] {
+            let reason = Reason::Travels { has_wall };
+            say("travels without a clearance", &found, reason);
+        }
+        for criterion in [
+            Criterion::DamageBoundary,
+            Criterion::VelocityChange,
+            Criterion::EdgeLift,
+            Criterion::Overturning,
+        ] {
+            found.answers = Some(answers());
+            say("exceeds", &found, Reason::Shock(Some(criterion)));
+        }
+        say("exceeds", &found, Reason::Shock(None));
+        let often = Answers {
+            rigid: Some(ModelAnswers {
+                overturn: p(0.8, 0.7, 0.9),
+                exceed: None,
+            }),
+            compliant: None,
+            ..answers()
+        };
+        found.answers = Some(often.clone());
+        say("stays, mostly falling", &found, Reason::Falling { lifts: true });
+        found.answers = Some(Answers {
+            falls: FallsAnswer::Falls,
+            too_mild: Some(TooMild::Round),
+            ..often
+        });
+        say("falls and too mild", &found, Reason::Falling { lifts: true });
+        let (near, far) = (p(0.02, 0.01, 0.04), p(0.3, 0.25, 0.36));
+        for (touching, at_50_mm) in [(near, near), (far, near), (far, far), (p(0.1, 0.05, 0.2), far)] {
+            found.before_wall = Some(BeforeWall { touching, at_50_mm });
+            say("before a wall", &found, Reason::BeforeWall);
+        }
+        found.in_space = None;
+        found.stacked = found.stacked.map(|stack| Stacked {
+            threshold_upper_g: 0.4,
+            ..stack
+        });
+        let mut walled = item.clone();
+        walled.surroundings.wall_gap_m = Some(0.05);
+        told.push(sentence(&Reason::Stacked, &walled, &found));
+        walled.surroundings.casters = Some(Casters::Free);
+        walled.width_m = None;
+        told.push(sentence(&Reason::Stacked, &walled, &found));
+        told.push(joined(of_item(&walled).into_iter()));
         insta::assert_snapshot!(told.join("\n"));
     }
 }

@@ -17,6 +17,7 @@ use super::csv::push_field;
 use super::floors::{FloorKey, floor_key, floor_words};
 use super::hold::how_to_hold;
 use super::reasons::why;
+use freestand_assess::reason::Reason;
 use super::table::{Cell, Line};
 
 /// The file's name.
@@ -116,7 +117,7 @@ fn give_room(found: &Assessment, or_else: &str) -> String {
     )
 }
 
-/// What is doubtful about the row of an object, behind the reason of its verdict.
+/// What is doubtful about the row of an object, after the reason of its verdict.
 fn doubted(item: &Item) -> String {
     let kinds: Vec<&str> = item.doubts.iter().map(|doubt| doubt.name()).collect();
     if kinds.is_empty() {
@@ -137,37 +138,21 @@ fn find_out(item: &Item, found: &Assessment) -> String {
             item.to_confirm.join(", ")
         );
     }
-    if let Some(unstated) = found.unstated {
-        return format!("State {}: give {}.", unstated.words(), unstated.keys());
-    }
-    let known = [
-        (item.level_ratio.is_some(), "floor"),
-        (item.height_m.is_some(), "height"),
-        (item.thickness_m.is_some(), "thickness"),
-        (item.tolerance.is_some(), "tolerance"),
-        (item.mass_kg.is_some(), "mass"),
-        (item.cushion.is_some(), "cushion"),
-    ];
-    // What its shock needs does not matter before its size is known.
-    let needed = if found.answers.is_some() {
-        &known[3..]
-    } else {
-        &known[..3]
-    };
-    let missing: Vec<&str> = needed
-        .iter()
-        .filter(|(is_known, _)| !is_known)
-        .map(|(_, name)| *name)
-        .collect();
-    let is_recalled = item
-        .tolerance
-        .as_ref()
-        .is_some_and(|tolerance| tolerance.confidence == Confidence::Recalled);
-    match missing.is_empty() {
-        true if is_recalled => "Confirm its tolerance.".to_owned(),
-        true => "Complete its row of the list.".to_owned(),
-        false => format!("Find out its {}.", listed(&missing)),
-    }
+    let remedy = found.why.iter().find_map(|reason| match reason {
+        Reason::NotGiven(missing) | Reason::ShockUnknown(missing) => {
+            let names: Vec<&str> = missing.iter().map(String::as_str).collect();
+            Some(format!("Find out its {}.", listed(&names)))
+        }
+        Reason::NoMotion => Some("Add a motion for its floor to the study.".to_owned()),
+        Reason::Unchecked { .. } => Some("Confirm its tolerance.".to_owned()),
+        Reason::Unstated(unstated) => Some(format!(
+            "State {}: give {}.",
+            unstated.words(),
+            unstated.keys()
+        )),
+        _ => None,
+    });
+    remedy.unwrap_or_else(|| "Complete its row of the list.".to_owned())
 }
 
 /// The place of a task in the file, and of its line in the temporary file.

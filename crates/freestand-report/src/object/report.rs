@@ -15,6 +15,7 @@ use crate::assessment::reasons::{spectrum_decides, why};
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, ObjectRequest, ObjectResult, Tally, middle,
 };
+use freestand_assess::reason::Reason;
 use freestand_assess::result::{
     Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict,
 };
@@ -63,7 +64,6 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
         at_one: AtScale { found, tally, .. },
         scales,
         mut warnings,
-        decides,
     } = result;
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands = request.object.tolerance.map(|one| Withstands {
@@ -104,7 +104,11 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
              falling"
         ));
     }
-    warnings.extend(decides.map(|number| format!("the {}", spectrum_decides(number))));
+    let decides = found.why.iter().find_map(|reason| match reason {
+        Reason::Spectrum(number) => Some(format!("the {}", spectrum_decides(*number))),
+        _ => None,
+    });
+    warnings.extend(decides);
     let level_ratio = item.level_ratio.filter(|_| !is_given);
     let is_above = level_ratio.is_some_and(|ratio| ratio > 0.0);
     let target = study.ground.code_spectrum();
@@ -223,7 +227,7 @@ answer_of!(ObjectReport as report {
     model: Option<&'static str> = report.found.model.map(ObjectModel::name);
     /// The steady floor acceleration that first lifts an edge.
     lift_acceleration_g: f64 = lift_g(&report.found, &report.tally) => (report.lift_label());
-    motions_leaning: Option<u64> = report.found.at_wall.as_ref().map(|_| leaning(&report.found, &report.tally).into());
+    motions_leaning: Option<u64> = report.found.at_wall.as_ref().map(|_| leaning(&report.found).into());
     p_lean: Option<f64> = report.found.at_wall.as_ref().map(|wall| wall.lean_share);
     __: Option<String> = report.found.at_wall.as_ref().map(|wall| percent_significant(wall.strike_share, 2)) => "strikes its wall in";
     wall_strike_share: Option<f64> = report.found.at_wall.as_ref().map(|wall| wall.strike_share);
@@ -299,7 +303,7 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
         shock_g_max: tally.shock_g_max,
         floor_g_max: found.floor.as_ref().map_or(0.0, |floor| floor.pfa_g_max),
         lift_g: lift_g(found, tally),
-        leaning: leaning(found, tally),
+        leaning: leaning(found),
         upper_falls: found.stacked.map(|stacked| stacked.upper_falls),
         rolled: found.rolled,
         slides: found.model == Some(ObjectModel::Slide),
@@ -309,10 +313,12 @@ fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
 }
 
 /// The worlds at whose end it leans on a wall.
-fn leaning(found: &Assessment, tally: &Tally) -> u32 {
-    found.at_wall.as_ref().map_or(0, |wall| {
-        (wall.lean_share * f64::from(tally.worlds)).round() as u32
-    })
+fn leaning(found: &Assessment) -> u32 {
+    let leans = |reason: &Reason| match reason {
+        Reason::Leans { worlds, .. } => Some(*worlds),
+        _ => None,
+    };
+    found.why.iter().find_map(leans).unwrap_or(0)
 }
 
 /// The floor as people call it.
@@ -434,7 +440,11 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
             answers.worlds_cap
         ));
     }
-    if let Some(unstated) = found.unstated {
+    let unstated = found.why.iter().find_map(|reason| match reason {
+        Reason::Unstated(unstated) => Some(*unstated),
+        _ => None,
+    });
+    if let Some(unstated) = unstated {
         said.push(format!(
             "nobody stated {}: this is the answer for another one",
             unstated.words()

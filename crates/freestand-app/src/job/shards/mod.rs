@@ -2,7 +2,7 @@
 //! process of its own, on any machine that sees the folder of the plan, and a merge writes what one
 //! process would have written.
 //!
-//! The parts of a shard are the parts of any run (`store`), in the folder of the plan. A merge is a run
+//! The parts of a shard are the parts of any run (`freestand_assess::store`), in the folder of the plan. A merge is a run
 //! whose parts are all there.
 
 mod files;

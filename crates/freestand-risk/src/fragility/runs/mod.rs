@@ -3,7 +3,7 @@
 //! `request` is what is asked, `changed` has objects that options change, `shaking` the motions and their
 //! measures, `follow` the runs, `levels` the intensities of stripes, `kept` the finished runs on disk, `table`
 //! their outcomes in the form that the fit reads, `quality` how well each measure predicts the outcome,
-//! `report` the result, `figures` its figures.
+//! `report` the result.
 
 mod answer;
 mod changed;

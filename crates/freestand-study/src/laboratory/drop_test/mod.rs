@@ -187,6 +187,9 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
     })
 }
 
+/// Steps are the same up to the rounding of the times that a file states.
+const SAME_STEP: f64 = 1e-6;
+
 /// The drops of a file.
 fn one(
     path: &Path,
@@ -219,10 +222,11 @@ fn one(
     if request
         .read
         .uneven_dt_s
-        .is_some_and(|asked_s| asked_s != dt_s)
+        .is_some_and(|asked_s| (asked_s / dt_s - 1.0).abs() > SAME_STEP)
     {
         warnings.push(format!(
-            "{name}: `resample` has no effect: the samples are evenly spaced already, by {dt_s} s"
+            "{name}: `resample` has no effect: the samples are evenly spaced already, by {} s",
+            number(dt_s, 4)
         ));
     }
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
