@@ -477,9 +477,6 @@ pub struct Assessment {
     pub rolled: Option<Rolled>,
     /// Locked, where it rolls or slides farther than it has room; `None`: that was not asked.
     pub braked: Option<Braked>,
-    /// Where it slides while it rocks; `None`: nowhere.
-    #[serde(default)]
-    pub slipped: Option<Slipped>,
     /// With a wall behind it; `None`: the list gives one, or it is not restrained.
     #[serde(default)]
     pub before_wall: Option<BeforeWall>,

@@ -18,7 +18,12 @@ pub(crate) fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> boo
 }
 
 /// The result that counts; where it is that by the other spectrum, it says so. `study` is that of the other spectrum.
-pub(crate) fn worse(item: &Item, study: &Study, one: Assessment, mut other: Assessment) -> Assessment {
+pub(crate) fn worse(
+    item: &Item,
+    study: &Study,
+    one: Assessment,
+    mut other: Assessment,
+) -> Assessment {
     if !is_worse(item, &one, &other) {
         return one;
     }

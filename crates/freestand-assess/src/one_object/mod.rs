@@ -4,9 +4,9 @@
 //! study; [`one_object`] lets the object live through its worlds as [`crate::portfolio`] does for a
 //! list. `freestand-report` says what comes out.
 
+mod earthquake;
 mod row;
 mod shaking;
-mod earthquake;
 
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -15,8 +15,8 @@ use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
 
-use crate::result::Assessment;
 use crate::reason::Reason;
+use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
 use crate::verdict::{Context, Member, Subject, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
@@ -25,8 +25,8 @@ use crate::worlds::Worlds;
 use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
 
-pub use shaking::check_place;
 pub use earthquake::NamedEarthquake;
+pub use shaking::check_place;
 
 /// Schema of the document of `freestand object`.
 pub const SCHEMA: &str = "freestand.object/1";

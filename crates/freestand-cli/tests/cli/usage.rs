@@ -235,7 +235,16 @@ fn flags_in_messages_exist() {
         .collect();
     let mut texts = Vec::new();
     for name in [
-        "app", "assess", "cli", "input", "inventory", "output", "records", "report", "risk", "study",
+        "app",
+        "assess",
+        "cli",
+        "input",
+        "inventory",
+        "output",
+        "records",
+        "report",
+        "risk",
+        "study",
     ] {
         let folder = format!("crates/freestand-{name}/src");
         sources(&root().join(folder), &mut texts);

@@ -245,7 +245,12 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
     Assessment {
         id: item.id.clone(),
         decision,
-        why: vec![Reason::Falling { lifts: true }],
+        why: std::iter::once(Reason::Falling { lifts: true })
+            .chain(
+                (decision == Decision::NoVerdict)
+                    .then(|| Reason::ShockUnknown(vec!["tolerance".to_owned()])),
+            )
+            .collect(),
         tier: (index % 4) as u8,
         accepted_ratio: 0.1,
         accepted_for: AcceptedFor::LifeSafety,

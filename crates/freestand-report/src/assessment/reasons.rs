@@ -206,16 +206,16 @@ fn mild(why: TooMild, found: &Assessment, answers: &Answers, p: Probability) -> 
         counted(answers.worlds as usize, "world"),
         percent(found.accepted_ratio),
     );
-    let verdict = if answers.falls == FallsAnswer::Falls {
-        "too often"
-    } else {
-        "too close to call"
-    };
+    let (is, chance) = (why.words(), spread(p));
+    if answers.falls == FallsAnswer::Falls {
+        return format!(
+            "It is {is}. In that calculation it falls in {chance} of {worlds}, more than the accepted {limit}; the \
+             real object may fall more often still."
+        );
+    }
     format!(
-        "It is {}. In that calculation it falls in {} of {worlds} (accepted {limit}), and the real object may fall more \
-         often: {verdict}.",
-        why.words(),
-        spread(p)
+        "It is {is}. In that calculation it falls in {chance} of {worlds} (accepted {limit}), and the real object may \
+         fall more often: too close to call."
     )
 }
 
@@ -525,10 +525,10 @@ fn side(p: Probability, accepted_ratio: f64) -> Side {
 fn before_wall(before: &BeforeWall, accepted_ratio: f64) -> String {
     let sides = [before.touching, before.at_50_mm].map(|p| side(p, accepted_ratio));
     let enough = match sides {
-        [Side::Below, Side::Below] => ", and at either it would stand",
+        [Side::Below, Side::Below] => ", and it would stand at either",
         [Side::Below, _] => ", and touching it, it would stand",
         [_, Side::Below] => ", and with that gap it would stand",
-        [Side::Above, Side::Above] => ", and at neither it would stand",
+        [Side::Above, Side::Above] => ", and it would stand at neither",
         _ => "",
     };
     format!(
@@ -968,15 +968,28 @@ mod tests {
             ..answers()
         };
         found.answers = Some(often.clone());
-        say("stays, mostly falling", &found, Reason::Falling { lifts: true });
+        say(
+            "stays, mostly falling",
+            &found,
+            Reason::Falling { lifts: true },
+        );
         found.answers = Some(Answers {
             falls: FallsAnswer::Falls,
             too_mild: Some(TooMild::Round),
             ..often
         });
-        say("falls and too mild", &found, Reason::Falling { lifts: true });
+        say(
+            "falls and too mild",
+            &found,
+            Reason::Falling { lifts: true },
+        );
         let (near, far) = (p(0.02, 0.01, 0.04), p(0.3, 0.25, 0.36));
-        for (touching, at_50_mm) in [(near, near), (far, near), (far, far), (p(0.1, 0.05, 0.2), far)] {
+        for (touching, at_50_mm) in [
+            (near, near),
+            (far, near),
+            (far, far),
+            (p(0.1, 0.05, 0.2), far),
+        ] {
             found.before_wall = Some(BeforeWall { touching, at_50_mm });
             say("before a wall", &found, Reason::BeforeWall);
         }

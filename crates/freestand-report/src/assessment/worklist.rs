@@ -8,7 +8,6 @@ use freestand_assess::result::{Assessment, Decision, RestraintForce};
 use freestand_input::problem::Problem;
 use freestand_input::words::{listed, number};
 use freestand_inventory::Item;
-use freestand_inventory::library::Confidence;
 use freestand_output::folder::OutputFolder;
 use freestand_output::paths::io_problem;
 use freestand_output::rows::{broken, csv_writer};
@@ -17,8 +16,8 @@ use super::csv::push_field;
 use super::floors::{FloorKey, floor_key, floor_words};
 use super::hold::how_to_hold;
 use super::reasons::why;
-use freestand_assess::reason::Reason;
 use super::table::{Cell, Line};
+use freestand_assess::reason::Reason;
 
 /// The file's name.
 pub const WORKLIST_NAME: &str = "worklist.csv";

@@ -226,7 +226,7 @@ fn one(
     {
         warnings.push(format!(
             "{name}: `resample` has no effect: the samples are evenly spaced already, by {} s",
-            number(dt_s, 4)
+            words::number(dt_s, 4)
         ));
     }
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
