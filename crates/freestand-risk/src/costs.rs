@@ -118,25 +118,63 @@ impl CostRow {
             || self.casualty_probability.zip(self.casualty_cost).is_some()
     }
 
-    /// What is not counted because it was not given.
-    pub fn not_counted(&self) -> Vec<&'static str> {
+    /// Amounts that were not given.
+    pub fn not_counted(&self) -> Vec<NotCounted> {
+        let has_downtime = self.downtime_days.zip(self.downtime_cost).is_some();
+        let has_casualties = self.casualty_probability.zip(self.casualty_cost).is_some();
         let parts = [
-            (self.repair.is_some(), "repair_cost"),
-            (self.replacement.is_some(), "replacement_cost"),
-            (
-                self.downtime_days.zip(self.downtime_cost).is_some(),
-                "downtime",
-            ),
-            (
-                self.casualty_probability.zip(self.casualty_cost).is_some(),
-                "casualties",
-            ),
+            (self.repair.is_some(), NotCounted::Repair),
+            (self.replacement.is_some(), NotCounted::Replacement),
+            (has_downtime, NotCounted::Downtime),
+            (has_casualties, NotCounted::Casualties),
         ];
-        parts
-            .into_iter()
-            .filter(|(is_given, _)| !is_given)
-            .map(|(_, name)| name)
-            .collect()
+        let missing = parts.into_iter().filter(|(is_given, _)| !is_given);
+        missing.map(|(_, part)| part).collect()
+    }
+}
+
+/// A part of a loss that is not counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum NotCounted {
+    /// No amount was given for a repair.
+    Repair,
+    /// No amount was given for another object.
+    Replacement,
+    /// No days or no amount were given for the time without it.
+    Downtime,
+    /// No probability or no amount was given for casualties.
+    Casualties,
+    /// Repairs are priced, but there is no curve of exceeding.
+    RepairWithoutCurve,
+    /// The rate of exceeding is not known.
+    ExceedingOfUnknownRate,
+    /// The rate of overturning is not known.
+    OverturningOfUnknownRate,
+    /// There is no curve of overturning.
+    OverturningWithoutCurve,
+}
+
+impl NotCounted {
+    /// What it is, in outputs.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Repair => "repair_cost",
+            Self::Replacement => "replacement_cost",
+            Self::Downtime => "downtime",
+            Self::Casualties => "casualties",
+            Self::RepairWithoutCurve => "repair_cost (there is no curve of exceeding)",
+            Self::ExceedingOfUnknownRate => "exceeding (its rate is not known)",
+            Self::OverturningOfUnknownRate => "overturning (its rate is not known)",
+            Self::OverturningWithoutCurve => "overturning (there is no curve of it)",
+        }
+    }
+
+    /// Whether it is not counted because no amount was given.
+    pub fn lacks_amount(self) -> bool {
+        matches!(
+            self,
+            Self::Repair | Self::Replacement | Self::Downtime | Self::Casualties
+        )
     }
 }
 

@@ -12,7 +12,7 @@ use freestand_output::facts::Facts;
 use crate::fragility::{ObjectCurves, ObjectFragility};
 use freestand_inventory::too_mild::TOO_MILD;
 
-use super::costs::{CostRow, Effect};
+use super::costs::{CostRow, Effect, NotCounted};
 use super::rates::{Open, StateRates, least_fall, object_rates};
 use super::words::rate_words;
 
@@ -220,7 +220,7 @@ pub struct ObjectRisk {
     /// The ends of them, the upper one where the rate of overturning has one.
     casualty_bounds: Option<(f64, Option<f64>)>,
     /// Kinds of costs that were not given.
-    pub not_counted: Vec<&'static str>,
+    pub not_counted: Vec<NotCounted>,
 }
 
 impl ObjectRisk {
@@ -288,7 +288,7 @@ impl ObjectRisk {
         let mut not_counted = cost.map_or(Vec::new(), CostRow::not_counted);
         let has_exceeds = curves.curve(LimitState::Exceeds).is_some();
         if cost.is_some_and(|cost| cost.repair.is_some()) && !has_exceeds {
-            not_counted.push("repair_cost (there is no curve of exceeding)");
+            not_counted.push(NotCounted::RepairWithoutCurve);
         }
         let unknown = |state: LimitState| {
             states
@@ -302,18 +302,18 @@ impl ObjectRisk {
             .iter()
             .any(|one| LOSS_STATES.contains(&one.limit_state) && one.is_at_least())
             || loss.is_some_and(|loss| loss.most.is_none());
-        for (state, words) in [
-            (LimitState::Exceeds, "exceeding (its rate is not known)"),
-            (LimitState::Overturns, "overturning (its rate is not known)"),
+        for (state, part) in [
+            (LimitState::Exceeds, NotCounted::ExceedingOfUnknownRate),
+            (LimitState::Overturns, NotCounted::OverturningOfUnknownRate),
         ] {
             if cost.is_some() && unknown(state) {
-                not_counted.push(words);
+                not_counted.push(part);
             }
         }
         if cost.is_some_and(|cost| cost.overturned() > 0.0)
             && curves.curve(LimitState::Overturns).is_none()
         {
-            not_counted.push("overturning (there is no curve of it)");
+            not_counted.push(NotCounted::OverturningWithoutCurve);
         }
         let expected_annual_loss = loss.map(|loss| loss.best);
         let overturns = states
@@ -457,7 +457,7 @@ answer_of!(ObjectRisk as object {
     expected_annual_casualties_lower: Option<f64> = object.casualty_bounds.map(|bounds| bounds.0);
     expected_annual_casualties_upper: Option<f64> = object.casualty_bounds.and_then(|bounds| bounds.1);
     /// Costs that are missing.
-    not_counted: Vec<&'static str> = object.not_counted.clone();
+    not_counted: Vec<&'static str> = object.not_counted.iter().map(|part| part.words()).collect();
 });
 
 answer_of!(StateRisk as state {

@@ -14,7 +14,7 @@ use freestand_risk::fragility::{At, Measure, cautions};
 
 use super::text::unfunded_words;
 use freestand_risk::RiskReport;
-use freestand_risk::costs::CostRow;
+use freestand_risk::costs::{CostRow, NotCounted};
 use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
 use freestand_risk::plan::Chosen;
 use freestand_risk::words::{least, once_in, rounded};
@@ -687,7 +687,7 @@ fn more_often(ratio: f64) -> (String, &'static str) {
 
 /// What the numbers leave out: first what this report misses, then what every one does.
 fn not_counted(report: &RiskReport) -> Vec<String> {
-    let mut missing: Vec<(&str, Vec<&str>)> = Vec::new();
+    let mut missing: Vec<(NotCounted, Vec<&str>)> = Vec::new();
     for object in report
         .objects
         .iter()
@@ -696,7 +696,7 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         for what in &object.not_counted {
             match missing.iter_mut().find(|(known, _)| known == what) {
                 Some((_, ids)) => ids.push(&object.id),
-                None => missing.push((what, vec![&object.id])),
+                None => missing.push((*what, vec![&object.id])),
             }
         }
     }
@@ -736,12 +736,12 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
     }
     let missing = missing.into_iter().map(|(what, ids)| {
         // What is missing for another reason than its amount says so between brackets.
-        let why = if what.contains('(') {
-            ""
-        } else {
+        let why = if what.lacks_amount() {
             ", for which no amount was given"
+        } else {
+            ""
         };
-        format!("{}{why}: {}.", sentence(what), named(&ids))
+        format!("{}{why}: {}.", sentence(what.words()), named(&ids))
     });
     lines.extend(missing);
     let unpriced: Vec<&str> = report

@@ -59,7 +59,8 @@ pub fn risk_text(report: &RiskReport) -> String {
             );
         }
         if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
-            text += &format!("  not counted {}\n", object.not_counted.join(", "));
+            let words: Vec<&str> = object.not_counted.iter().map(|part| part.words()).collect();
+            text += &format!("  not counted {}\n", words.join(", "));
         }
     }
     if let Some(loss) = report.stated_loss().filter(|_| report.objects.len() > 1) {

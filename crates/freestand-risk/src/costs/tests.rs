@@ -24,14 +24,19 @@ fn what_is_missing_is_listed_and_not_guessed() {
         (read.currency.as_deref(), read.rows[0].overturned()),
         (Some("AUD"), 5200.0)
     );
-    assert_eq!(read.rows[0].not_counted(), ["casualties"]);
+    assert_eq!(read.rows[0].not_counted(), [NotCounted::Casualties]);
     assert_eq!(
         (read.rows[1].quantity, read.rows[1].has_costs()),
         (1.0, false)
     );
     assert_eq!(
         read.rows[1].not_counted(),
-        ["repair_cost", "replacement_cost", "downtime", "casualties"]
+        [
+            NotCounted::Repair,
+            NotCounted::Replacement,
+            NotCounted::Downtime,
+            NotCounted::Casualties
+        ]
     );
 }
 
