@@ -18,5 +18,5 @@ pub mod verdict;
 pub mod worlds;
 
 mod kept_motions;
-mod restraint;
+pub mod restraint;
 pub mod two_spectra;

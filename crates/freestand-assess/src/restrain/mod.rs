@@ -1,11 +1,9 @@
-//! How strongly one object must be held: the force that a code asks for, the anchors, and a sheet
-//! to print. The numbers are those of `assess`, from the same function (`restraint`).
+//! How strongly one object must be held: the force that a code asks for, the anchors.
+//! The numbers are those of `assess`, from the same function (`restraint`).
 
 mod list;
 mod report;
-mod sheet;
-mod sketch;
-mod words;
+pub mod words;
 
 pub use crate::restraint::components::Component;
 pub use list::{RestrainListReport, RestrainListRequest, restrain_list};
@@ -179,17 +177,23 @@ enum FactorsOf {
 
 /// A request with everything that follows from it.
 #[derive(Debug, Clone, PartialEq)]
-struct Case {
-    request: RestrainRequest,
-    question: RestraintQuestion,
-    target: Option<Target>,
+pub struct Case {
+    /// The request.
+    pub request: RestrainRequest,
+    /// What is asked of the codes.
+    pub question: RestraintQuestion,
+    /// The spectrum of the hazard.
+    pub target: Option<Target>,
     /// The floor in words.
-    floor: String,
+    pub floor: String,
     /// What was not stated, a sentence each.
-    assumptions: Vec<String>,
-    warnings: Vec<String>,
-    own: Demand,
-    others: Vec<Demand>,
+    pub assumptions: Vec<String>,
+    /// Warnings.
+    pub warnings: Vec<String>,
+    /// The force that counts.
+    pub own: Demand,
+    /// The forces by other codes.
+    pub others: Vec<Demand>,
 }
 
 /// The force, moments and anchors of one object.
@@ -688,17 +692,17 @@ fn assumed_hazard(words: &Words, target: &Target) -> Vec<String> {
 
 impl Case {
     /// Its weight \[N\].
-    fn weight_n(&self) -> f64 {
+    pub fn weight_n(&self) -> f64 {
         self.request.mass_kg * G0_M_S2
     }
 
     /// The tension of one anchor \[N\]: in concrete, and elsewhere.
-    fn anchor_n(&self, edge_n: f64) -> f64 {
+    pub fn anchor_n(&self, edge_n: f64) -> f64 {
         edge_n / self.request.anchors_per_edge as f64
     }
 
     /// The shear of one anchor, the force over both edges \[N\].
-    fn anchor_shear_n(&self) -> f64 {
+    pub fn anchor_shear_n(&self) -> f64 {
         self.own.force.force_n / (2.0 * self.request.anchors_per_edge as f64)
     }
 }

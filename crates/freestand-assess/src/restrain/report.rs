@@ -10,7 +10,7 @@ use freestand_study::target::Target;
 use super::words::{
     ToConfirm, clause_words, factor_words, limits_words, tension_words, to_confirm,
 };
-use super::{Case, sheet};
+use super::Case;
 use crate::restraint::Demand;
 use crate::restraint::factor::Factor;
 
@@ -27,13 +27,12 @@ pub struct RestrainReport {
     pub assumptions: Vec<String>,
     /// What an engineer must confirm.
     pub to_confirm: Vec<ToConfirm>,
-    /// `restraint.html`.
-    pub sheet: String,
     /// Where it was written; whoever writes it says so.
     pub sheet_path: Option<String>,
     /// Warnings.
     pub warnings: Vec<String>,
-    case: Case,
+    /// What it follows from.
+    pub case: Case,
 }
 
 pub(super) fn report(case: Case) -> RestrainReport {
@@ -47,7 +46,6 @@ pub(super) fn report(case: Case) -> RestrainReport {
             .collect(),
         assumptions: case.assumptions.clone(),
         to_confirm: to_confirm(&case.own),
-        sheet: sheet::sheet(&case),
         sheet_path: None,
         warnings: case.warnings.clone(),
         case,

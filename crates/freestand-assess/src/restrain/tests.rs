@@ -104,12 +104,7 @@ fn asce_7_16_by_hand() {
         ["a_p", "1", "read: UFC 3-310-03A, table 10-1 (FEMA 302)"]
     );
     assert_eq!(factor("S_DS"), ["S_DS", "1 g", "from the hazard"]);
-    assert!(
-        report.others.is_empty()
-            && report
-                .sheet
-                .contains("0.45 W to 2.4 W; the formula governs")
-    );
+    assert!(report.others.is_empty());
     let expected = "Design its restraint for 989 N (72 % of its weight), 1.15 m above its floor, by ASCE 7-16, 13.3.1: \
                     the anchors along one edge carry 1.41 kN of tension.";
     assert_eq!(report.answer, expected);
@@ -224,7 +219,7 @@ fn the_edition_in_force() {
     assert_eq!(by(&[("place", "Seattle")]).as_deref(), Some("ASCE 7-16"));
 }
 
-/// What nobody has read has its own box on the sheet; a value that the user gives is not in it.
+/// What nobody has read is to be confirmed; a value that the user gives is not.
 #[test]
 fn recalled_values_are_to_be_confirmed() {
     let words = [
@@ -240,7 +235,6 @@ fn recalled_values_are_to_be_confirmed() {
             .iter()
             .any(|open| open.what.starts_with("q_a") && open.value == "2")
     );
-    assert!(report.sheet.contains("class=\"confirm\""));
     let factors = RestrainFactors {
         response_ratio: Some(2.0),
         ..RestrainFactors::default()
@@ -267,9 +261,9 @@ fn recalled_values_are_to_be_confirmed() {
     }
 }
 
-/// 140 kg = 308.6 lb, 0.6 m = 23.62 in, 0.9 W = 1235.6 N = 278 lbf.
+/// 0.9 W = 1235.6 N = 278 lbf, and half of 2.3 m = 45.28 in.
 #[test]
-fn us_units_on_the_sheet() {
+fn us_units_in_the_answer() {
     let request = cabinet(RestrainHazard::FloorAcceleration(0.9), None);
     let report = restrain(RestrainRequest {
         units: UnitSystem::Us,
@@ -280,11 +274,6 @@ fn us_units_on_the_sheet() {
         report.answer.contains("278 lbf") && report.answer.contains("45.28 in"),
         "{}",
         report.answer
-    );
-    assert!(
-        report.sheet.contains("308.6 lb")
-            && report.sheet.contains("23.62 in")
-            && report.sheet.contains("lbf·ft")
     );
     near(number_of(&report, "force_n"), 0.9 * WEIGHT_N);
 }
@@ -385,11 +374,8 @@ fn nzs_1170_5_by_hand() {
     })
     .unwrap();
     near(number_of(&report, "force_ratio"), 3.6);
-    assert!(
-        report
-            .sheet
-            .contains("at most 3.6 W; the upper limit governs")
-    );
+    let limits = words::limits_words(&report.case.own).unwrap();
+    assert_eq!(limits, "at most 3.6 W; the upper limit governs");
 }
 
 /// EN 1998-1, a_gR = 0.24 g, type 1, ground B (S = 1.2): α S = 0.288; z/H = 0.5, rigid, γ_a = 1.5, q_a
@@ -435,9 +421,9 @@ fn a_floor_acceleration_by_hand() {
     );
 }
 
-/// Other codes are shown where they are asked for; the sheet holds everything and loads nothing.
+/// Other codes are shown where they are asked for.
 #[test]
-fn other_codes_and_the_sheet() {
+fn other_codes() {
     let request = |is_compared| RestrainRequest {
         is_compared,
         ..cabinet(code(&[("place", "Athens")]), Some(1.0))
@@ -453,21 +439,6 @@ fn other_codes_and_the_sheet() {
         ]
     );
     assert!(restrain(request(false)).unwrap().others.is_empty());
-    let sheet = &report.sheet;
-    for part in [
-        "<svg",
-        "F<sub>a</sub> = α S",
-        "who says so",
-        "approximate, and the shape",
-        "Date and signature",
-        "For comparison",
-    ] {
-        assert!(sheet.contains(part), "{part}");
-    }
-    assert!(
-        !sheet.contains("http://")
-            || sheet.matches("http://").count() == sheet.matches("http://www.w3.org").count()
-    );
 }
 
 /// The same object in a list and alone: force and tension are equal to the bit. The list has it

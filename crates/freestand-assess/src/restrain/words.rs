@@ -7,7 +7,8 @@ use freestand_input::words::number;
 use crate::restraint::Demand;
 use crate::restraint::factor::{Factor, FactorSource};
 
-pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
+/// The tension along one edge.
+pub fn tension_words(units: UnitSystem, tension_n: f64) -> String {
     if tension_n > 0.0 {
         units.force_in_both(tension_n)
     } else {
@@ -15,7 +16,8 @@ pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
     }
 }
 
-pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
+/// The symbol of a factor, its value with its unit, and who says so.
+pub fn factor_words(factor: &Factor) -> [String; 3] {
     let unit = if factor.unit == "1" {
         String::new()
     } else {
@@ -29,7 +31,7 @@ pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
 }
 
 /// `F = 0.48 W; from 0.3 W to 1.6 W; the formula governs`.
-pub(super) fn limits_words(demand: &Demand) -> Option<String> {
+pub fn limits_words(demand: &Demand) -> Option<String> {
     let force = &demand.source.force;
     let share = |ratio: f64| format!("{} W", number(ratio, 4));
     let range = match (force.minimum_ratio > 0.0, force.maximum_ratio.is_finite()) {
@@ -51,7 +53,7 @@ pub(super) fn limits_words(demand: &Demand) -> Option<String> {
 }
 
 /// `ASCE 7-16, 13.3.1`, or `F = m a`.
-pub(super) fn clause_words(demand: &Demand) -> String {
+pub fn clause_words(demand: &Demand) -> String {
     let source = &demand.source;
     source.code.map_or_else(
         || source.clause.to_owned(),
@@ -59,7 +61,8 @@ pub(super) fn clause_words(demand: &Demand) -> String {
     )
 }
 
-pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
+/// What an engineer must confirm of a force.
+pub fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
     let factor = |factor: &Factor| match factor.source {
         FactorSource::Recalled("") => Some(ToConfirm {
             what: factor.symbol.to_owned(),

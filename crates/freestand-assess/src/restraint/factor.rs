@@ -4,20 +4,22 @@ use freestand_input::words::number;
 
 /// A factor of a formula.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Factor {
+pub struct Factor {
     /// Its name in outputs.
-    pub(crate) key: &'static str,
+    pub key: &'static str,
     /// Its symbol in the code.
-    pub(crate) symbol: &'static str,
-    pub(crate) value: f64,
+    pub symbol: &'static str,
+    /// Its value.
+    pub value: f64,
     /// `g` or `1`.
-    pub(crate) unit: &'static str,
-    pub(crate) source: FactorSource,
+    pub unit: &'static str,
+    /// Who says so.
+    pub source: FactorSource,
 }
 
 /// Who states a factor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FactorSource {
+pub enum FactorSource {
     /// The user.
     Given,
     /// freestand, for this reason; may be empty.
@@ -32,7 +34,7 @@ pub(crate) enum FactorSource {
 
 impl FactorSource {
     /// `given`, `assumed: a rigid bracket`, `from the hazard`.
-    pub(crate) fn words(self) -> String {
+    pub fn words(self) -> String {
         match self {
             Self::Given => "given".to_owned(),
             Self::Assumed("") => "assumed: an ordinary object".to_owned(),
@@ -133,7 +135,8 @@ impl Factor {
         }
     }
 
-    pub(crate) fn number(&self) -> String {
+    /// Its value to four digits.
+    pub fn number(&self) -> String {
         number(self.value, 4)
     }
 }

@@ -17,9 +17,9 @@ use self::statics::{
     Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension,
 };
 
-pub(crate) mod components;
-pub(crate) mod factor;
-pub(crate) mod sources;
+pub mod components;
+pub mod factor;
+pub mod sources;
 mod statics;
 
 /// Distance of anchors from the edge where it is not stated \[m\], an assumption: the bolt of an angle
@@ -33,7 +33,7 @@ pub(crate) const INSET_SHARE: f64 = 0.25;
 
 /// An object about one axis.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RestraintAxis {
+pub struct RestraintAxis {
     /// The side that lies in the plane of motion.
     pub axis: Axis,
     /// From one edge of the base to the opposite one, about which the object rotates \[m\].
@@ -45,7 +45,7 @@ pub(crate) struct RestraintAxis {
 
 impl RestraintAxis {
     /// Lever of the weight about the nearer edge \[m\]: shaking acts in both directions.
-    pub(crate) fn least_lever_m(&self) -> f64 {
+    pub fn least_lever_m(&self) -> f64 {
         self.weight_lever_m.min(self.base_m - self.weight_lever_m)
     }
 
@@ -63,7 +63,7 @@ impl RestraintAxis {
 
 /// The object that is held.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct HeldObject {
+pub struct HeldObject {
     /// Mass \[kg\].
     pub mass_kg: f64,
     /// Height of the object \[m\].
@@ -109,7 +109,8 @@ impl HeldObject {
 
 /// The object, its place and the hazard.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct RestraintQuestion {
+pub struct RestraintQuestion {
+    /// The object.
     pub object: HeldObject,
     /// Height of the building \[m\]; `None`: a tall one is assumed.
     pub building_height_m: Option<f64>,
@@ -156,18 +157,19 @@ impl RestraintQuestion {
 
 /// What a source demands of a restraint, with the numbers that lead to it.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Demand {
-    pub(crate) source: Source,
+pub struct Demand {
+    /// Who asks for it.
+    pub source: Source,
     /// Force, anchors and bracket.
-    pub(crate) force: RestraintForce,
+    pub force: RestraintForce,
     /// The axis that needs more tension; `None` for an object without a side.
-    pub(crate) axis: Option<RestraintAxis>,
+    pub axis: Option<RestraintAxis>,
     /// Distance of the anchors from the edge about that axis \[m\].
-    pub(crate) inset_m: f64,
+    pub inset_m: f64,
     /// F c \[N m\].
-    pub(crate) overturning_moment_n_m: f64,
+    pub overturning_moment_n_m: f64,
     /// H e, of the weight that holds the object down \[N m\]; 0 without an axis.
-    pub(crate) resisting_moment_n_m: f64,
+    pub resisting_moment_n_m: f64,
 }
 
 /// The forces for the design of a restraint: [`demands`] as outputs show them.

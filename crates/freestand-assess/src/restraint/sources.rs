@@ -57,16 +57,17 @@ const VERTICAL_RATIO: f64 = 0.2;
 
 /// A force by one source.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Source {
-    pub(crate) kind: RestraintKind,
+pub struct Source {
+    /// What kind of source it is.
+    pub kind: RestraintKind,
     /// The code as it is printed; `None` for the acceleration of a floor.
-    pub(crate) code: Option<&'static str>,
+    pub code: Option<&'static str>,
     /// The clause, without the code.
-    pub(crate) clause: &'static str,
+    pub clause: &'static str,
     /// Code and clause.
-    pub(crate) name: &'static str,
+    pub name: &'static str,
     /// Force over weight, with the result of the formula and its limits.
-    pub(crate) force: PartForce,
+    pub force: PartForce,
     /// Share of the weight that is deducted for vertical shaking.
     pub(super) vertical_ratio: f64,
     /// That share in words, `0.2 S_DS`; empty where the source has none.
@@ -74,15 +75,15 @@ pub(crate) struct Source {
     /// Ω₀, factor on the force of anchors in concrete.
     pub(super) overstrength_ratio: f64,
     /// The formula with its limits, in symbols.
-    pub(crate) equation: String,
+    pub equation: String,
     /// The same in numbers: `0.4 × 1 × 1 × 3 × 1/2.5`.
-    pub(crate) numbers: String,
+    pub numbers: String,
     /// What the formula is made from: the hazard, the floor, the part.
-    pub(crate) factors: Vec<Factor>,
+    pub factors: Vec<Factor>,
     /// What the reader must know, a sentence each.
-    pub(crate) remarks: Vec<String>,
+    pub remarks: Vec<String>,
     /// What nobody has read, beside the factors that say so: what an engineer must confirm.
-    pub(crate) to_confirm: Vec<&'static str>,
+    pub to_confirm: Vec<&'static str>,
 }
 
 impl Source {
@@ -112,7 +113,7 @@ impl Source {
 
 impl Source {
     /// ` (0.2 S_DS is deducted for vertical shaking)`; empty where nothing is.
-    pub(crate) fn deduction_words(&self) -> String {
+    pub fn deduction_words(&self) -> String {
         if self.vertical_words.is_empty() {
             return String::new();
         }

@@ -3,7 +3,7 @@
 use clap::Args;
 use freestand_app::restrain::{Asked, Meant, Restrain, SCHEMA};
 use freestand_assess::restrain::{restrain, restrain_list};
-use freestand_report::restraint::{restraint_text, restraints_text};
+use freestand_report::restraint::{restraint_sheet, restraint_text, restraints_text};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -38,7 +38,7 @@ impl Tell for Restrain {
             Asked::One(one) => {
                 let mut report = restrain(one)?;
                 let files = Files::begin(global, &inputs)?;
-                report.sheet_path = files.write(SHEET, || &report.sheet)?;
+                report.sheet_path = files.write(SHEET, || restraint_sheet(&report))?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {
                     restraint_text(&report)
                 })?;

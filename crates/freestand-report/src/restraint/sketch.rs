@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use freestand_output::html::escape;
 
-use super::Case;
+use freestand_assess::restrain::Case;
 
 /// Size of the picture \[px\].
 const WIDTH_PX: f64 = 380.0;
