@@ -7,10 +7,10 @@ use freestand_output::answer_of;
 use freestand_study::places::Place;
 use freestand_study::target::Target;
 
+use super::Case;
 use super::words::{
     ToConfirm, clause_words, factor_words, limits_words, tension_words, to_confirm,
 };
-use super::Case;
 use crate::restraint::Demand;
 use crate::restraint::factor::Factor;
 

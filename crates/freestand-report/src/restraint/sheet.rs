@@ -7,7 +7,9 @@ use freestand_output::html::{
 };
 
 use super::sketch::sketch;
-use freestand_assess::restrain::words::{clause_words, factor_words, limits_words, tension_words, to_confirm};
+use freestand_assess::restrain::words::{
+    clause_words, factor_words, limits_words, tension_words, to_confirm,
+};
 use freestand_assess::restrain::{Case, RestrainReport, ToConfirm};
 use freestand_assess::restraint::Demand;
 

@@ -301,7 +301,7 @@ fn too_few_worlds_are_said_with_how_many_would_do() {
     assert_eq!(row(&few, "unrated"), ["restrain", "40", "44", "true"]);
     assert_eq!(row(&few, "strict"), ["restrain", "40", "228", "true"]);
     assert!(
-        few.of("unrated", "why").contains("at least 44 would do"),
+        few.of("unrated", "why").contains("give most = 44 or more"),
         "{}",
         few.of("unrated", "why")
     );
