@@ -102,11 +102,13 @@ pub(super) fn sketch(case: &Case) -> String {
     line([right + 4.0, cg, right + 44.0, cg], thin);
     line([right + 38.0, cg, right + 38.0, FLOOR_PX], both);
     line([left, FLOOR_PX + 52.0, right, FLOOR_PX + 52.0], both);
+    // With a white edge, because texts cross the lines of dimensions.
+    let edge = "stroke=\"#fff\" stroke-width=\"4\" paint-order=\"stroke\"";
     let mut text = |[x, y]: [f64; 2], anchor: &str, colour: &str, words: &str| {
         let words = escape(words);
         let _ = writeln!(
             svg,
-            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\">{words}</text>"
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\" {edge}>{words}</text>"
         );
     };
     text(
