@@ -725,10 +725,6 @@ pub struct Softening {
     pub p_exceed_high: Option<f64>,
     /// Upper end of P(it falls) on that pad, by the model that decides.
     pub p_overturn_high: Option<f64>,
-    /// Whether the pad passed every check.
-    pub admissible: bool,
-    /// Whether the shock on it was too close to the accepted probability to call.
-    pub is_close: bool,
     /// Whether that thickness is assumed.
     pub is_assumed: bool,
     /// What was checked, and what failed.
@@ -746,7 +742,17 @@ pub enum PadOutcome {
     /// The object falls from it.
     Falls,
     /// Its tolerance is still exceeded.
-    Exceeded,
+    Exceeded {
+        /// Whether that is too close to the accepted probability to call.
+        is_close: bool,
+    },
+}
+
+impl Softening {
+    /// Whether the pad passed every check.
+    pub fn admissible(&self) -> bool {
+        self.outcome == PadOutcome::Enough
+    }
 }
 
 /// A force for the design of a restraint, and what it asks of anchors or of a bracket.

@@ -116,7 +116,7 @@ pub(super) fn assessment(
             .is_some_and(|capacity| capacity.decides),
         governing: governs,
         missing: &missing,
-        softer: softening.as_ref().map(|one| one.admissible),
+        softer: softening.as_ref().map(Softening::admissible),
         beyond_pads: beyond_pads(trial),
         tolerance_source: member
             .item

@@ -24,6 +24,9 @@ const NEXT_PAD: f64 = 0.7;
 /// Digits of the stiffness of a tried pad, so that what is printed is what was tried.
 const DIGITS: i32 = 3;
 
+/// What says more than that a softer pad clearly fails.
+const CLOSE: PadOutcome = PadOutcome::Exceeded { is_close: true };
+
 /// Assumed thickness of a pad \[m\], the same as in the check for N/m typed in place of N/mm.
 const ASSUMED_PAD_M: f64 = 0.02;
 
@@ -68,10 +71,10 @@ pub(super) fn softer(
                 open.retain(|one| *one != place);
             }
             // A pad that was too close to call says more than a softer one that clearly fails.
-            if verdict.softening.admissible
+            if verdict.softening.admissible()
                 || !found[place]
                     .as_ref()
-                    .is_some_and(|earlier| earlier.is_close)
+                    .is_some_and(|earlier| earlier.outcome == CLOSE)
             {
                 found[place] = Some(verdict.softening);
             }
@@ -158,7 +161,6 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
         trial.side(context, Question::Shock),
     );
     let is_below = falls == Side::Below && shock == Side::Below;
-    let is_close = falls == Side::Below && shock == Side::Open && !is_pressed;
     let outcome = if is_below && !is_pressed {
         PadOutcome::Enough
     } else if is_pressed {
@@ -166,7 +168,9 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
     } else if falls != Side::Below {
         PadOutcome::Falls
     } else {
-        PadOutcome::Exceeded
+        PadOutcome::Exceeded {
+            is_close: shock == Side::Open,
+        }
     };
     let edge_acceleration_g = compliant.and_then(|pads| match pads.edge_acceleration_g_median {
         Ranked::Value(shock_g) => Some(shock_g),
@@ -180,8 +184,6 @@ fn verdict(context: &Context, trial: &Trial, stiffness_n_m: f64) -> Verdict {
         edge_acceleration_g,
         p_exceed_high: Some(p_exceed_high),
         p_overturn_high: Some(p_overturn_high),
-        admissible,
-        is_close,
         is_assumed: stated_m.is_none(),
         outcome,
     };

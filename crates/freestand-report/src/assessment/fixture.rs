@@ -347,8 +347,6 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             stroke_m: Some(0.011),
             pad_thickness_m: 0.04,
             edge_acceleration_g: Some(3.1),
-            admissible: true,
-            is_close: false,
             p_exceed_high: Some(0.02),
             p_overturn_high: Some(0.014),
             is_assumed: false,

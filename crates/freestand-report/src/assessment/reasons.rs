@@ -70,7 +70,7 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
         Reason::SofterPad => found
             .softening
             .as_ref()
-            .map_or_else(String::new, |pad| match pad.admissible {
+            .map_or_else(String::new, |pad| match pad.admissible() {
                 true => softer_pad(pad, found.accepted_ratio),
                 false => format!(
                     "No softer pad is enough: {}",
@@ -335,12 +335,8 @@ pub(super) fn softer_pad(pad: &Softening, accepted_ratio: f64) -> String {
         PadOutcome::Falls => {
             format!("with {stiffness} under one edge it falls in up to {overturn} of the worlds.")
         }
-        PadOutcome::Exceeded => {
-            let close = if pad.is_close {
-                ": too close to call"
-            } else {
-                ""
-            };
+        PadOutcome::Exceeded { is_close } => {
+            let close = if is_close { ": too close to call" } else { "" };
             format!(
                 "with {stiffness} under one edge its tolerance is still exceeded in up to {exceed} of the worlds, against the \
                  accepted {}{close}.",

@@ -56,8 +56,6 @@ fn full() -> (Item, Assessment) {
         edge_acceleration_g: None,
         p_exceed_high: Some(0.02),
         p_overturn_high: Some(0.014),
-        admissible: true,
-        is_close: false,
         is_assumed: true,
         outcome: PadOutcome::Enough,
     });
@@ -248,13 +246,13 @@ fn answers_and_pads_in_words() {
             Reason::Shock(Some(Criterion::Spectrum)),
         );
     }
-    for (outcome, is_close) in [
-        (PadOutcome::Pressed(0.25), false),
-        (PadOutcome::Falls, false),
-        (PadOutcome::Exceeded, true),
+    for outcome in [
+        PadOutcome::Pressed(0.25),
+        PadOutcome::Falls,
+        PadOutcome::Exceeded { is_close: true },
+        PadOutcome::Exceeded { is_close: false },
     ] {
-        let pad = found.softening.as_mut().unwrap();
-        (pad.outcome, pad.is_close, pad.admissible) = (outcome, is_close, false);
+        found.softening.as_mut().unwrap().outcome = outcome;
         let said = sentence(&Reason::SofterPad, &item, &found);
         told.push(format!("{outcome:?}\n  {said}"));
     }

@@ -458,7 +458,7 @@ fn what_to_do(found: &Assessment) -> String {
             Some(stiffness) => format!(
                 "A softer pad: at most {} N/mm under one edge; it {} every check.",
                 number(1e-3 * stiffness, 3),
-                if softening.admissible {
+                if softening.admissible() {
                     "passed"
                 } else {
                     "did not pass"

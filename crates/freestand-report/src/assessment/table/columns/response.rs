@@ -209,7 +209,7 @@ pub(super) const COLUMNS: &[Column] = &[
         |l| {
             yes(l
                 .assessment()
-                .and_then(|found| Some(found.softening.as_ref()?.admissible)))
+                .and_then(|found| Some(found.softening.as_ref()?.admissible())))
         },
     ),
     number(
