@@ -1,86 +1,51 @@
-//! What a list leaves open about an object, column by column, and what is then assumed.
+//! What a list leaves open about an object, column by column.
 
 use freestand::rocking::Restitution;
 
 use freestand_inventory::{Casters, Column, Item};
 
-/// A column, whether it is empty for an object, and what is then assumed.
-type Assumption = (Column, fn(&Item) -> bool, &'static str);
+/// A column, and whether it is empty for an object.
+type Open = (Column, fn(&Item) -> bool);
 
 /// Every column that an answer depends on and that may be empty.
-const ALL: [Assumption; 11] = [
-    (
-        Column::Width,
-        |item| item.width_m.is_none(),
-        "it rocks about one axis only",
-    ),
-    (
-        Column::CgHeight,
-        |item| item.cg_height_m.is_none(),
-        "half the height",
-    ),
-    (
-        Column::BaseThickness,
-        |item| item.base_thickness_m.is_none(),
-        "it stands on its full thickness",
-    ),
-    (
-        Column::Mass,
-        |item| item.mass_kg.is_none(),
-        "no shock, no pads and no force is calculated",
-    ),
-    (
-        Column::Stiffness,
-        |item| item.cushion.is_none(),
-        "a rigid floor",
-    ),
-    (
-        Column::Tolerance,
-        |item| item.tolerance.is_none(),
-        "only falling is asked",
-    ),
-    (
-        Column::Restitution,
-        |item| item.restitution == Restitution::Housner,
-        "Housner's, drawn about it",
-    ),
-    (
-        Column::Friction,
-        |item| item.friction_ratio.is_none(),
-        "enough for rocking",
-    ),
-    (
-        Column::WallGap,
-        |item| !item.surroundings.has_wall(),
-        "nothing within its reach",
-    ),
-    (
-        Column::Casters,
-        |item| item.surroundings.casters.is_none(),
-        "none",
-    ),
-    (
-        Column::RollingResistance,
-        |item| {
-            item.surroundings.casters == Some(Casters::Free)
-                && item.surroundings.rolling_resistance_ratio.is_none()
-        },
-        "that of the default casters",
-    ),
+const ALL: [Open; 11] = [
+    (Column::Width, |item| item.width_m.is_none()),
+    (Column::CgHeight, |item| item.cg_height_m.is_none()),
+    (Column::BaseThickness, |item| {
+        item.base_thickness_m.is_none()
+    }),
+    (Column::Mass, |item| item.mass_kg.is_none()),
+    (Column::Stiffness, |item| item.cushion.is_none()),
+    (Column::Tolerance, |item| item.tolerance.is_none()),
+    (Column::Restitution, |item| {
+        item.restitution == Restitution::Housner
+    }),
+    (Column::Friction, |item| item.friction_ratio.is_none()),
+    (Column::WallGap, |item| !item.surroundings.has_wall()),
+    (Column::Casters, |item| item.surroundings.casters.is_none()),
+    (Column::RollingResistance, |item| {
+        item.surroundings.casters == Some(Casters::Free)
+            && item.surroundings.rolling_resistance_ratio.is_none()
+    }),
 ];
+
+/// The columns that an answer depends on and that may be empty.
+pub fn all() -> impl Iterator<Item = Column> {
+    ALL.into_iter().map(|(column, _)| column)
+}
 
 /// The names of the columns that are empty for an object.
 pub fn columns(item: &Item) -> impl Iterator<Item = &'static str> {
     ALL.into_iter()
-        .filter(|(_, is_open, _)| is_open(item))
-        .map(|(column, ..)| column.name())
+        .filter(|(_, is_open)| is_open(item))
+        .map(|(column, _)| column.name())
 }
 
-/// Of each column that is empty for some objects: its name, for how many, and what is then assumed.
-pub fn counted(items: &[Item]) -> Vec<(&'static str, usize, &'static str)> {
-    let of = |(column, is_open, words): Assumption| {
+/// The columns that are empty for some objects, and for how many.
+pub fn counted(items: &[Item]) -> Vec<(Column, usize)> {
+    let of = |(column, is_open): Open| {
         let objects = items.iter().filter(|item| is_open(item)).count();
-        (objects > 0).then(|| (column.name(), objects, words))
+        (objects > 0).then_some((column, objects))
     };
     ALL.into_iter().filter_map(of).collect()
 }

@@ -5,6 +5,7 @@
 
 pub mod accepted;
 pub mod assumed;
+pub mod capacity;
 pub mod key;
 pub mod list;
 pub mod one_object;

@@ -5,12 +5,6 @@ use std::cmp::{Ordering, Reverse};
 use crate::result::{Assessment, Decision, Probability};
 use freestand_inventory::{Item, Rating};
 
-/// The rule of the order in words; every output that shows the list prints it.
-pub const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \
-    verdict, and what to leave. Within each: life safety (high first), probability of falling over, probability of exceeding the \
-    tolerance, property and function (high first), quantity (largest first), row of the list. An unrated object comes \
-    after one rated low, and a probability that is not known counts as 0.";
-
 /// What the rank of an object depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Urgency {

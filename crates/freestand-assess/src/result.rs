@@ -1,6 +1,6 @@
 //! The result for one object: everything that its row, its page and the workbook show.
 
-use freestand_input::quantity::UnitSystem;
+use crate::capacity::Capacity;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
@@ -290,20 +290,15 @@ pub struct BeforeWall {
 }
 
 impl Rolled {
-    /// How far it goes in words: no farther than its stop, and `at least` where one component of the floor
-    /// is all that is known.
-    pub fn reach_words(&self, units: UnitSystem) -> String {
+    /// How far it goes in 84 % of worlds, no farther than its stop \[m\]; and whether it may go farther,
+    /// because one component of the floor is all that is known.
+    pub fn reach_m(&self) -> (f64, bool) {
         let to_stop_m = self
             .clearance_m
             .filter(|_| self.stop_share > 0.0)
             .unwrap_or(f64::INFINITY);
         let reach_m = self.travel_m_p84.min(to_stop_m);
-        let at_least = if self.is_at_least && reach_m < to_stop_m {
-            "at least "
-        } else {
-            ""
-        };
-        format!("{at_least}{}", units.reach(reach_m))
+        (reach_m, self.is_at_least && reach_m < to_stop_m)
     }
 
     /// Trip speed over the speed at the stop; above 1 the stop does not overturn it.
@@ -516,9 +511,8 @@ pub struct Assessment {
     pub restraint: Vec<RestraintForce>,
     /// Clearance that it needs on every side while it rocks \[m\]; its height where it overturns.
     pub clearance_m: Option<f64>,
-    /// Comparisons with published numbers, one sentence each with its source: code accelerations,
-    /// fragilities.
-    pub context: Vec<String>,
+    /// Comparisons with published numbers.
+    pub comparisons: Vec<Comparison>,
     /// Eqs. (5)–(8) in the world that decides, step by step.
     pub chain: Option<Chain>,
     /// What else there is to know.
@@ -576,6 +570,31 @@ impl Assessment {
             .as_ref()
             .map(|shock| shock.edge_acceleration_g[1]))
     }
+}
+
+/// A comparison with a published number.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Comparison {
+    /// What its code requires for a rigid part on its floor.
+    CodeFloor {
+        /// The acceleration \[g\].
+        code_g: f64,
+        /// The clause.
+        clause: String,
+    },
+    /// By the rule of the FEMA P-58 fragilities of unanchored contents.
+    FemaP58 {
+        /// Median PFV at which an object of its shape overturns \[m/s\].
+        median_m_s: f64,
+        /// That it overturns at the median PFV of its floor.
+        probability: f64,
+    },
+    /// The steady acceleration at which an edge lifts.
+    Uplift {
+        /// That acceleration \[g\].
+        threshold_g: f64,
+    },
 }
 
 /// The floor of an object.
@@ -668,12 +687,10 @@ pub struct CapacityCheck {
     pub demand_capacity_p84: Ranked,
     /// The criterion that governs in the world that decides.
     pub governing: Criterion,
-    /// The tolerance in words: `5 g, 11 ms half-sine`.
-    pub tolerance: String,
+    /// The tolerance.
+    pub tolerance: Capacity,
     /// Its source, ready to print.
     pub source: String,
-    /// Whether a verdict may depend on this source; `false` for a recalled one.
-    pub decides: bool,
     /// Median floor acceleration over the peak of the tolerance.
     pub floor_ratio: Option<f64>,
 }

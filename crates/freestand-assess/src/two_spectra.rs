@@ -9,7 +9,7 @@ use crate::reason::Reason;
 use crate::result::Assessment;
 use freestand_inventory::Item;
 
-/// Whether the result by the other spectrum is the worse one: the more urgent by [`crate::rank::RULE`], which for one
+/// Whether the result by the other spectrum is the worse one: the more urgent by the rule of [`crate::rank`], which for one
 /// object compares the decision, the probability that it falls and the probability that its tolerance is exceeded.
 pub(crate) fn is_worse(item: &Item, one: &Assessment, other: &Assessment) -> bool {
     Urgency::new(item, other)

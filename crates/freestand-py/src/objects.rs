@@ -10,7 +10,7 @@ use freestand_assess::restrain::{restrain as restrained, restrain_list as restra
 use freestand_input::problem::Problems;
 use freestand_output::answer::Answer as _;
 use freestand_report::object::object_report;
-use freestand_report::restraint::restraint_sheet;
+use freestand_report::restraint::{restrain_list_report, restrain_report, restraint_sheet};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -68,12 +68,12 @@ pub(crate) fn restrain(
 ) -> PyResult<(String, Option<String>)> {
     let work = match restraints(request, files)? {
         Asked::One(one) => watched(py, None, |_| {
-            let report = restrained(one)?;
+            let report = restrain_report(restrained(one)?);
             let sheet = restraint_sheet(&report);
             Ok((report.facts(), report.warnings, Some(sheet)))
         })?,
         Asked::List(list) => watched(py, None, |_| {
-            let report = restrained_list(&list)?;
+            let report = restrain_list_report(restrained_list(&list)?);
             Ok((report.facts(), report.warnings, None))
         })?,
     };

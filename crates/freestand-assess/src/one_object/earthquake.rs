@@ -21,10 +21,16 @@ pub enum NamedEarthquake {
         /// The peak \[g\].
         peak_g: f64,
     },
-    /// The earthquake of a study that names no place, such as `the earthquake of hospital.toml (…)`.
+    /// The earthquake of a study that names no place.
     Study {
-        /// The earthquake in words.
-        words: String,
+        /// The study, such as `hospital.toml`.
+        study: String,
+        /// Its code in print.
+        code: String,
+        /// The return period, if the code has one \[years\].
+        years: Option<u32>,
+        /// The site, such as `site De`.
+        site: Option<String>,
     },
     /// The records or simulated motions of a study, which its worlds use in turn.
     MotionsOfStudy {

@@ -24,6 +24,7 @@ pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
+use strum::VariantArray;
 
 pub use earthquake::NamedEarthquake;
 pub use shaking::check_place;
@@ -168,16 +169,16 @@ pub struct ObjectResult {
     pub study: Study,
     /// Its earthquake, as an answer names it.
     pub earthquake: NamedEarthquake,
-    /// Its earthquake in full.
-    pub earthquake_words: String,
     /// The object, as a list has it.
     pub item: Item,
     /// The object under its motions.
     pub at_one: AtScale,
     /// The object under its motions at each scale that was asked for.
     pub scales: Vec<AtScale>,
-    /// What is doubtful about the request.
+    /// What is doubtful about the study and the object.
     pub warnings: Vec<String>,
+    /// What was given and changes nothing.
+    pub unused: Vec<Unused>,
 }
 
 /// An object under its motions, all multiplied by a scale.
@@ -241,7 +242,7 @@ fn in_study(
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
 ) -> Result<(ObjectResult, Option<Shown>), Problems> {
-    let mut row = row::row(request, &shaken.study)?;
+    let row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
     let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
         Problem::new(
@@ -253,7 +254,7 @@ fn in_study(
         // Nothing is drawn for motions that are given.
         subject = subject.with_middle_friction(settings);
     }
-    row.warnings.extend(unused(&request.object, &subject));
+    let unused = unused(&request.object, &subject);
     let member = Member::new(&row.item, subject, settings);
     let go_on = || {
         if wants_to_stop() {
@@ -293,11 +294,11 @@ fn in_study(
     let result = ObjectResult {
         study: shaken.study,
         earthquake: shaken.earthquake,
-        earthquake_words: shaken.words,
         item: row.item,
         at_one,
         scales,
         warnings,
+        unused,
     };
     Ok((result, shown))
 }
@@ -465,54 +466,41 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
     problems.finish(Some(()))
 }
 
-/// What was given and changes nothing, because of how this object moves or what is not known of it.
-fn unused(object: &Object, subject: &Subject) -> Vec<String> {
+/// What was given and changes nothing, because of how an object moves or what is not known of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, VariantArray)]
+pub enum Unused {
+    /// The clearance of an object that rocks.
+    Clearance,
+    /// The walls of an object that rolls or slides.
+    Walls,
+    /// The walls of an object with another one on it.
+    WallsOfStack,
+    /// The casters of an object with another one on it.
+    CastersOfStack,
+    /// The friction of free casters.
+    Friction,
+    /// What is under free casters.
+    Pads,
+    /// The stiffness of a wall without the mass of the object.
+    WallStiffness,
+}
+
+fn unused(object: &Object, subject: &Subject) -> Vec<Unused> {
     let around = &object.surroundings;
-    let rolls = around.casters == Some(Casters::Free) && !subject.rocks();
-    let mut warnings = Vec::new();
-    if around.clearance_m.is_some() && subject.rocks() {
-        warnings.push(
-            "`clearance` has no effect on an object that rocks: for a wall beside it, give `wall_gap`".to_owned(),
-        );
-    }
-    if around.has_wall() && !subject.rocks() {
-        warnings.push(
-            "`wall_gap` and `neighbour_gap` have no effect on an object that rolls or slides: the way to what stops it \
-             is `clearance`"
-                .to_owned(),
-        );
-    }
-    if around.has_wall() && around.upper.is_some() {
-        warnings.push(
-            "`wall_gap` and `neighbour_gap` have no effect on an object with another one on it"
-                .to_owned(),
-        );
-    }
-    if around.casters == Some(Casters::Free) && around.upper.is_some() {
-        warnings.push(
-            "`casters` have no effect on an object with another one on it: it is calculated as if they were braked"
-                .to_owned(),
-        );
-    }
-    if rolls && object.friction_ratio.is_some() {
-        warnings.push(
-            "`friction` has no effect on free casters: they roll by `rolling_resistance`"
-                .to_owned(),
-        );
-    }
-    if rolls && object.rests_on.is_some() {
-        warnings.push(
-            "`on` has no effect on free casters: the object rolls before it lifts from its pads"
-                .to_owned(),
-        );
-    }
-    if around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none() {
-        warnings.push(
-            "`wall_stiffness` has no effect without `mass`: the shock at a wall needs both"
-                .to_owned(),
-        );
-    }
-    warnings
+    let is_free = around.casters == Some(Casters::Free);
+    let rolls = is_free && !subject.rocks();
+    let has_upper = around.upper.is_some();
+    let is_unused = |one: &Unused| match one {
+        Unused::Clearance => around.clearance_m.is_some() && subject.rocks(),
+        Unused::Walls => around.has_wall() && !subject.rocks(),
+        Unused::WallsOfStack => around.has_wall() && has_upper,
+        Unused::CastersOfStack => is_free && has_upper,
+        Unused::Friction => rolls && object.friction_ratio.is_some(),
+        Unused::Pads => rolls && object.rests_on.is_some(),
+        Unused::WallStiffness => around.wall_stiffness_n_m.is_some() && object.mass_kg.is_none(),
+    };
+    let all = Unused::VARIANTS.iter().copied();
+    all.filter(is_unused).collect()
 }
 
 /// What is said of a wall, a neighbour or casters that the object does not have.

@@ -5,7 +5,6 @@ use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, Spectrum
 use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::words::number;
 use freestand_records::notes::grouped;
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
@@ -20,27 +19,19 @@ use super::{Earthquake, Floor, FloorPlace, ObjectRequest};
 /// The ground of a peak acceleration: the type of Eurocode 8 whose spectrum is scaled.
 const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B);
 
-/// A study, and its earthquake in a sentence.
+/// A study, and its earthquake.
 #[derive(Clone)]
 pub(super) struct Shaken {
     pub(super) study: Study,
     pub(super) earthquake: NamedEarthquake,
-    /// Its earthquake in full.
-    pub(super) words: String,
     pub(super) warnings: Vec<String>,
 }
 
 impl Shaken {
     /// With the other spectrum of the national annex, where that has two.
     pub(super) fn alternative(&self) -> Option<Self> {
-        let study = self.study.alternative()?;
-        let words = study
-            .ground
-            .code_spectrum()
-            .map_or_else(|| self.words.clone(), Target::one_line);
         Some(Self {
-            study,
-            words,
+            study: self.study.alternative()?,
             ..self.clone()
         })
     }
@@ -86,17 +77,12 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
                     Problem::value(format!("`pga`: {error}"), "give an acceleration above 0")
                 })?;
             let peak_g = peak_m_s2 / G0_M_S2;
-            let words = format!(
-                "a ground acceleration of {} g, with the spectrum of Eurocode 8, type 1, ground B, scaled to it",
-                number(peak_g, 4)
-            );
             let study = of_values(&values(Hazard::Spectrum(Box::new(target))))?;
             let warnings = of_ground(&study, &request.floor);
             Shaken {
                 warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
                 study,
                 earthquake: NamedEarthquake::GroundAcceleration { peak_g },
-                words,
             }
         }
         Earthquake::Study { source, hazard } => {
@@ -108,10 +94,6 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             let mut study = of_values(&values(Hazard::default()))?;
             let warnings = grouped(motions.iter().flat_map(ReadMotion::named_notes));
             let recorded = motions.iter().map(|read| read.motion.clone()).collect();
-            let words = match motions.as_slice() {
-                [one] => format!("the motion {}", one.motion.name),
-                several => format!("{} motions of the floor", several.len()),
-            };
             study.ground = Ground::OnFloors;
             study.building = None;
             (study.place_is_assumed, study.building_is_assumed) = (false, false);
@@ -125,7 +107,6 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             Shaken {
                 study,
                 earthquake: NamedEarthquake::Motions,
-                words,
                 warnings,
             }
         }
@@ -204,28 +185,21 @@ fn as_given(settings: &mut Settings, motions: usize) -> Result<(), Problem> {
 fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
     let target = study.ground.code_spectrum();
     let own = name.unwrap_or_else(|| "the built-in study".to_owned());
-    let (earthquake, words) = match (&study.ground, target) {
-        (Ground::Synthetic(_), Some(target)) => {
-            (named(target, names_site, &own), target.one_line())
-        }
-        _ => {
-            let motions = study.ground.names(&study.levels).len();
-            let earthquake = NamedEarthquake::MotionsOfStudy {
-                motions,
-                study: own.clone(),
-            };
-            (earthquake, format!("the motions of {own}"))
-        }
+    let earthquake = match (&study.ground, target) {
+        (Ground::Synthetic(_), Some(target)) => named(target, names_site, own),
+        _ => NamedEarthquake::MotionsOfStudy {
+            motions: study.ground.names(&study.levels).len(),
+            study: own,
+        },
     };
     Shaken {
         warnings: study.warnings.clone(),
         study,
         earthquake,
-        words,
     }
 }
 
-fn named(target: &Target, names_site: bool, study: &str) -> NamedEarthquake {
+fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
     let years = target.spectrum.return_period_years();
     let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
     let noun = if is_eurocode8 { "ground" } else { "site" };
@@ -242,16 +216,12 @@ fn named(target: &Target, names_site: bool, study: &str) -> NamedEarthquake {
             site,
             is_approximate: place.confidence == Confidence::Approximate,
         },
-        None => {
-            let years = years.map(|years| format!("{years} years"));
-            let details: Vec<String> = [Some(target.spectrum.name().to_owned()), years, site]
-                .into_iter()
-                .flatten()
-                .collect();
-            NamedEarthquake::Study {
-                words: format!("the earthquake of {study} ({})", details.join(", ")),
-            }
-        }
+        None => NamedEarthquake::Study {
+            study,
+            code: target.spectrum.name().to_owned(),
+            years,
+            site,
+        },
     }
 }
 

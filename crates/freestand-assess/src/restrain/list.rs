@@ -2,23 +2,16 @@
 
 use std::path::PathBuf;
 
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
-use freestand_input::words::number;
-use freestand_output::answer::Answer;
-use freestand_output::facts::table;
-use freestand_output::table::Table;
-use freestand_output::{answer, answer_of};
 
-use super::words::{ToConfirm, clause_words, to_confirm};
 use super::{
-    Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
-    assumed_hazard, case_of, floor_of_list,
+    Assumed, Component, Demand, Doubt, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard,
+    RestrainRequest, assumed_hazard, case_of, floor_of_list,
 };
-use freestand_input::words::listed;
 use freestand_inventory::library::Libraries;
 use freestand_inventory::{
-    CellsRequest, Item, Mapping, Rating, ReadOptions, console_lines, inspect_inventory,
+    CellsRequest, Finding, Item, Mapping, Rating, ReadOptions, inspect_inventory,
 };
 
 /// A list and what shakes it.
@@ -45,82 +38,71 @@ pub struct RestrainListRequest {
 
 /// The forces of all objects of a list.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RestrainListReport {
-    rows: Vec<ListRow>,
-    /// The same in words: row, object, force, its share of the weight, tension of an edge, the same in
-    /// concrete; or the reason.
-    pub lines: Vec<[String; 6]>,
-    /// Objects with a force.
-    pub held: usize,
-    /// What was not stated about the hazard, a sentence each.
-    pub assumptions: Vec<String>,
-    /// What an engineer must confirm, of all objects.
-    pub to_confirm: Vec<ToConfirm>,
-    /// What is wrong or doubtful in the list.
-    pub problems: Vec<String>,
-    /// Warnings.
-    pub warnings: Vec<String>,
-}
-
-answer_of!(RestrainListReport as report {
-    objects: usize = report.rows.len();
-    /// Objects with a force.
-    held: usize = report.held;
+pub struct HeldList {
+    /// Its objects.
+    pub objects: Vec<HeldItem>,
+    /// Anchors along each of the two edges.
+    pub anchors_per_edge: usize,
+    /// The units of the texts.
+    pub units: UnitSystem,
     /// What was not stated about the hazard.
-    assumptions: Vec<String> = report.assumptions.clone();
-    /// What an engineer must confirm.
-    to_confirm: Vec<&ToConfirm> = report.to_confirm.iter().collect();
-    /// What is wrong or doubtful in the list.
-    problems: Vec<String> = report.problems.clone();
-    rows: Vec<ListRow> = report.rows.clone();
-});
-
-answer! {
-    /// An object of the list: its force, or the reason why it has none.
-    pub struct ListRow {
-        id: String,
-        item: String,
-        row: usize,
-        quantity: usize,
-        level_ratio: Option<f64>,
-        /// The row of the table of components of the code.
-        component: Option<&'static str>,
-        clause: Option<String>,
-        force_n: Option<f64>,
-        /// Of its weight.
-        force_ratio: Option<f64>,
-        acts_at_height_m: Option<f64>,
-        /// The axis across which it tips.
-        axis: Option<&'static str>,
-        anchor_inset_m: Option<f64>,
-        /// Along one edge.
-        anchor_tension_n: Option<f64>,
-        anchor_tension_concrete_n: Option<f64>,
-        tension_of_each_n: Option<f64>,
-        tension_concrete_of_each_n: Option<f64>,
-        shear_of_each_n: Option<f64>,
-        bracket_height_m: Option<f64>,
-        bracket_force_n: Option<f64>,
-        /// Why it has no force.
-        reason: Option<String>,
-    }
+    pub assumptions: Vec<Assumed>,
+    /// What is wrong or doubtful in the list, by cell.
+    pub findings: Vec<Finding>,
+    /// The same of the list as a whole.
+    pub warnings: Vec<String>,
+    /// What there is to know beside the forces, once each.
+    pub doubts: Vec<Doubt>,
 }
 
-impl RestrainListReport {
-    /// The rows as `restraint.csv`.
-    ///
-    /// # Errors
-    /// A row that has no place in a table.
-    pub fn table(&self) -> Result<Table, Problem> {
-        table(self.rows.iter().map(Answer::facts))
-    }
+/// An object of the list: its force, or the reason why it has none.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldItem {
+    /// Its id.
+    pub id: String,
+    /// What it is.
+    pub item: String,
+    /// Its row in the list.
+    pub row: usize,
+    /// How many there are.
+    pub quantity: usize,
+    /// Height of its floor over that of the building, where that is needed.
+    pub level_ratio: Option<f64>,
+    /// The force, or why there is none.
+    pub found: Result<HeldForce, NotHeld>,
+}
+
+/// The force on an object of a list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldForce {
+    /// The force, moments and anchors.
+    pub demand: Demand,
+    /// Its row in the tables of ASCE 7.
+    pub component: Option<&'static Component>,
+    /// Height at which the force acts \[m\].
+    pub cg_height_m: f64,
+}
+
+/// Why an object has no force.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NotHeld {
+    /// It is anchored.
+    Anchored,
+    /// Its size or mass must be confirmed.
+    Unconfirmed(Vec<String>),
+    /// Another body stands on it.
+    Stacked,
+    /// These are not known.
+    Unknown(Vec<&'static str>),
+    /// It cannot be calculated.
+    Refused(Problems),
 }
 
 /// The force, moments and anchors of every object of a list; an object that has none says why.
 ///
 /// # Errors
 /// A list that cannot be read, or everything that is wrong with the request itself.
-pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport, Problems> {
+pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems> {
     let floors = floor_of_list(&request.hazard, &request.floor)?;
     let settings = match &request.hazard {
         RestrainHazard::Study(study) => {
@@ -184,14 +166,14 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
         (RestrainHazard::Code(words), Some(target)) => assumed_hazard(words, target),
         _ => Vec::new(),
     };
-    let mut report = RestrainListReport {
-        rows: Vec::new(),
-        lines: Vec::new(),
-        held: 0,
+    let mut held = HeldList {
+        objects: Vec::new(),
+        anchors_per_edge: request.anchors_per_edge,
+        units,
         assumptions,
-        to_confirm: Vec::new(),
-        problems: console_lines(&inventory.findings),
+        findings: inventory.findings.clone(),
         warnings: inventory.warnings.clone(),
+        doubts: Vec::new(),
     };
     for item in &inventory.items {
         let found = object_of(item, is_on_floor).and_then(|[mass_kg, height_m, thickness_m]| {
@@ -212,99 +194,39 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<RestrainListReport
                 base_thickness_m: item.base_thickness_m,
                 base_width_m: item.base_width_m,
             };
-            case_of(request, Ok(kind)).map_err(|problems| {
-                problems
-                    .into_iter()
-                    .map(|problem| problem.message)
-                    .collect::<Vec<_>>()
-                    .join("; ")
-            })
+            case_of(request, Ok(kind)).map_err(NotHeld::Refused)
         });
-        let (case, reason) = match found {
-            Ok(case) => (Some(case), None),
-            Err(reason) => (None, Some(reason)),
-        };
-        for warning in case.iter().flat_map(|case| &case.warnings) {
-            if !report.warnings.contains(warning) {
-                report.warnings.push(warning.clone());
+        for doubt in found.iter().flat_map(|case| &case.doubts) {
+            if !held.doubts.contains(doubt) {
+                held.doubts.push(doubt.clone());
             }
         }
-        for open in case.iter().flat_map(|case| to_confirm(&case.own)) {
-            if !report.to_confirm.contains(&open) {
-                report.to_confirm.push(open);
-            }
-        }
-        let force = case.as_ref().map(|case| &case.own.force);
-        let per_anchor = |edge_n: f64| edge_n / request.anchors_per_edge as f64;
-        report.held += usize::from(case.is_some());
-        report.rows.push(ListRow {
+        held.objects.push(HeldItem {
             id: item.id.clone(),
             item: item.item.clone(),
             row: item.row as usize,
             quantity: item.quantity as usize,
             level_ratio: item.level_ratio.filter(|_| is_on_floor),
-            component: case
-                .as_ref()
-                .and_then(|case| case.question.object.component)
-                .map(|row| row.name),
-            clause: case.as_ref().map(|case| clause_words(&case.own)),
-            force_n: force.map(|force| force.force_n),
-            force_ratio: force.map(|force| force.force_ratio),
-            acts_at_height_m: case.as_ref().map(|case| case.question.object.cg_height_m),
-            axis: case
-                .as_ref()
-                .and_then(|case| case.own.axis.as_ref())
-                .map(|axis| axis.axis.name()),
-            anchor_inset_m: case.as_ref().map(|case| case.own.inset_m),
-            anchor_tension_n: force.map(|force| force.anchor_tension_n),
-            anchor_tension_concrete_n: force.map(|force| force.anchor_tension_concrete_n),
-            tension_of_each_n: force.map(|force| per_anchor(force.anchor_tension_n)),
-            tension_concrete_of_each_n: force
-                .map(|force| per_anchor(force.anchor_tension_concrete_n)),
-            shear_of_each_n: case.as_ref().map(|case| case.anchor_shear_n()),
-            bracket_height_m: force.map(|force| force.bracket_height_m),
-            bracket_force_n: force.map(|force| force.bracket_force_n),
-            reason: reason.clone(),
+            found: found.map(|case| HeldForce {
+                component: case.question.object.component,
+                cg_height_m: case.question.object.cg_height_m,
+                demand: case.own,
+            }),
         });
-        let [held, share, tension, concrete] = match (force, reason) {
-            (Some(force), _) => [
-                units.force(force.force_n),
-                number(force.force_ratio, 3),
-                units.force(force.anchor_tension_n),
-                units.force(force.anchor_tension_concrete_n),
-            ],
-            (None, reason) => [
-                reason.unwrap_or_default(),
-                String::new(),
-                String::new(),
-                String::new(),
-            ],
-        };
-        let name = if item.item.is_empty() {
-            item.id.clone()
-        } else {
-            format!("{} {}", item.id, item.item)
-        };
-        report
-            .lines
-            .push([item.row.to_string(), name, held, share, tension, concrete]);
     }
-    Ok(report)
+    Ok(held)
 }
 
 /// Mass, height and thickness of an object; or why there is no force.
-fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], String> {
+fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], NotHeld> {
     if item.anchored == Some(true) {
-        return Err("it is anchored already".to_owned());
+        return Err(NotHeld::Anchored);
     }
     if !item.to_confirm.is_empty() {
-        return Err(format!(
-            "its size or mass must be confirmed: {}",
-            item.to_confirm.join(", ")
-        ));
+        return Err(NotHeld::Unconfirmed(item.to_confirm.clone()));
     }
     if item.surroundings.upper.is_some() {
-        return Err("another body stands on it, which is not counted".to_owned());
+        return Err(NotHeld::Stacked);
     }
     match (
         item.mass_kg,
@@ -324,12 +246,10 @@ fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], String> {
                 (thickness.is_none(), "thickness"),
                 (level.is_none() && is_on_floor, "floor"),
             ];
-            let names: Vec<&str> = is_missing
+            let missing = is_missing
                 .into_iter()
-                .filter_map(|(is, name)| is.then_some(name))
-                .collect();
-            let verb = if names.len() == 1 { "is" } else { "are" };
-            Err(format!("its {} {verb} not known", listed(&names)))
+                .filter_map(|(is, name)| is.then_some(name));
+            Err(NotHeld::Unknown(missing.collect()))
         }
     }
 }

@@ -2,13 +2,9 @@
 //! The numbers are those of `assess`, from the same function (`restraint`).
 
 mod list;
-mod report;
-pub mod words;
 
 pub use crate::restraint::components::Component;
-pub use list::{RestrainListReport, RestrainListRequest, restrain_list};
-pub use report::RestrainReport;
-pub use words::ToConfirm;
+pub use list::{HeldForce, HeldItem, HeldList, NotHeld, RestrainListRequest, restrain_list};
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -20,7 +16,6 @@ use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{UnitSystem, shorten};
-use freestand_input::words::{counted, number};
 use freestand_study::building::{DEFAULT_STOREY_HEIGHT_M, MAX_STOREYS};
 use freestand_study::places::Place;
 use freestand_study::shape::{Shape, Sizes};
@@ -32,11 +27,6 @@ use crate::list::floors_of;
 use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
 use freestand_inventory::{Floors, level_of_floor};
-
-/// What is said where the force of a code lifts nothing.
-const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a code may be \
-                          reduced for ductility, and an earthquake may lift the object all the same. freestand assess \
-                          simulates that.";
 
 /// Factors of any code.
 const FACTORS: std::ops::RangeInclusive<f64> = 0.1..=20.0;
@@ -184,24 +174,89 @@ pub struct Case {
     pub question: RestraintQuestion,
     /// The spectrum of the hazard.
     pub target: Option<Target>,
-    /// The floor in words.
-    pub floor: String,
-    /// What was not stated, a sentence each.
-    pub assumptions: Vec<String>,
-    /// Warnings.
-    pub warnings: Vec<String>,
+    /// Where it stands.
+    pub floor: StandsOn,
+    /// What was not stated, and stands in its place.
+    pub assumptions: Vec<Assumed>,
+    /// What there is to know beside it.
+    pub doubts: Vec<Doubt>,
     /// The force that counts.
     pub own: Demand,
     /// The forces by other codes.
     pub others: Vec<Demand>,
 }
 
+/// The floor of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StandsOn {
+    /// A floor of a building.
+    Floor {
+        /// Its name or number.
+        name: String,
+        /// Storeys of the building, where they are known.
+        storeys: Option<usize>,
+        /// Its height over that of the building.
+        level_ratio: f64,
+    },
+    /// A height over that of the building.
+    Level(f64),
+    /// The ground, because no floor was given.
+    Ground,
+    /// The floor that has the given acceleration.
+    Accelerated,
+}
+
+impl StandsOn {
+    fn level_ratio(&self) -> f64 {
+        match self {
+            Self::Floor { level_ratio, .. } | Self::Level(level_ratio) => *level_ratio,
+            Self::Ground | Self::Accelerated => 0.0,
+        }
+    }
+}
+
+/// What nobody stated, and what stands in its place.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Assumed {
+    /// It stands on the ground.
+    Ground,
+    /// A storey has [`DEFAULT_STOREY_HEIGHT_M`].
+    StoreyHeight,
+    /// The class of the site.
+    Site(&'static str),
+    /// The return period \[years\].
+    ReturnPeriod(u32),
+    /// The centre of gravity is at half of the height.
+    CgHeight,
+    /// It tips across the thickness alone.
+    NoWidth,
+    /// Distance of the anchors from the edge that they hold down \[m\].
+    Inset(f64),
+}
+
+/// What there is to know beside a force.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Doubt {
+    /// What the hazard, the place or the sizes of the object make doubtful.
+    Input(String),
+    /// A key that says something about long periods alone.
+    NoEffect(&'static str),
+    /// The component is a row of the tables of ASCE 7, and this gives the force.
+    ComponentUnused(&'static str),
+    /// The force of the code lifts nothing.
+    NoTension,
+}
+
 /// The force, moments and anchors of one object.
 ///
 /// # Errors
 /// Everything that is wrong with the request.
-pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
-    Ok(report::report(case(request)?))
+pub fn restrain(request: RestrainRequest) -> Result<Case, Problems> {
+    let kind = component(&request).map(|component| ObjectKind {
+        component,
+        ..ObjectKind::default()
+    });
+    case_of(request, kind)
 }
 
 /// Everything that is wrong with a request.
@@ -209,15 +264,7 @@ pub fn restrain(request: RestrainRequest) -> Result<RestrainReport, Problems> {
 /// # Errors
 /// All of it, under its keys.
 pub fn check(request: RestrainRequest) -> Result<(), Problems> {
-    case(request).map(drop)
-}
-
-fn case(request: RestrainRequest) -> Result<Case, Problems> {
-    let kind = component(&request).map(|component| ObjectKind {
-        component,
-        ..ObjectKind::default()
-    });
-    case_of(request, kind)
+    restrain(request).map(drop)
 }
 
 /// What is known about an object beside its request.
@@ -246,16 +293,15 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         width_m: request.width_m,
     };
     let sizes = problems.keep(sizes.check());
-    let ((((blocks, target), floor), kind), doubts) = problems.finish(found.zip(sizes))?;
+    let ((((blocks, target), floor), kind), of_sizes) = problems.finish(found.zip(sizes))?;
     let Floor {
-        level_ratio,
+        on: floor,
         building_height_m,
-        words: floor,
         mut assumptions,
     } = floor;
     let object = HeldObject::new(
         request.mass_kg,
-        level_ratio,
+        floor.level_ratio(),
         kind.is_critical,
         kind.component,
         &blocks,
@@ -293,27 +339,20 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     if own.is_empty() {
         return Err(without_code().into());
     }
-    let mut own = own.swap_remove(0);
+    let own = own.swap_remove(0);
     if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
         assumptions.extend(assumed_hazard(words, target));
     }
     if request.cg_height_m.is_none() {
-        let cg = request.units.length(question.object.cg_height_m);
-        assumptions.push(format!(
-            "The centre of gravity is at half of the height, {cg}."
-        ));
+        assumptions.push(Assumed::CgHeight);
     }
     if request.width_m.is_none() {
-        assumptions
-            .push("No width was given: only tipping across the thickness is checked.".to_owned());
+        assumptions.push(Assumed::NoWidth);
     }
     if let (None, Some(axis)) = (question.settings.anchor_inset_m, &own.axis) {
-        assumptions.push(format!(
-            "The anchors stand {} inside the edge that they hold down: measure it, and give `anchor_inset`.",
-            request.units.length(axis.inset_m(None))
-        ));
+        assumptions.push(Assumed::Inset(axis.inset_m(None)));
     }
-    let mut warnings: Vec<String> = match (&request.hazard, &target) {
+    let of_hazard: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
         (RestrainHazard::Study(_), Some(target)) => {
             target.place.and_then(Place::doubt).into_iter().collect()
@@ -323,13 +362,13 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
             .flat_map(|target| target.warnings.iter().cloned())
             .collect(),
     };
-    warnings.extend(doubts);
+    let mut doubts: Vec<Doubt> = of_hazard
+        .into_iter()
+        .chain(of_sizes)
+        .map(Doubt::Input)
+        .collect();
     if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
-        warnings.extend(idle(words, target).map(|key| {
-            format!(
-                "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"
-            )
-        }));
+        doubts.extend(idle(words, target).map(Doubt::NoEffect));
     }
     let is_asce7 = |target: &Target| matches!(target.spectrum, CodeSpectrum::Asce7(_));
     if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7)
@@ -337,13 +376,10 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         let by = target
             .as_ref()
             .map_or("F = m a", |target| target.spectrum.name());
-        warnings.push(format!(
-            "`component` is not used by {by}: its tables are those of ASCE 7"
-        ));
+        doubts.push(Doubt::ComponentUnused(by));
     }
     if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
-        warnings.push(NO_TENSION.to_owned());
-        own.source.remarks.insert(0, NO_TENSION.to_owned());
+        doubts.push(Doubt::NoTension);
     }
     let others = if request.is_compared {
         others
@@ -356,7 +392,7 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         target,
         floor,
         assumptions,
-        warnings,
+        doubts,
         own,
         others,
     })
@@ -530,10 +566,9 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
 
 /// The floor of the request.
 struct Floor {
-    level_ratio: f64,
+    on: StandsOn,
     building_height_m: Option<f64>,
-    words: String,
-    assumptions: Vec<String>,
+    assumptions: Vec<Assumed>,
 }
 
 fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
@@ -616,39 +651,29 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
         },
     };
     let mut assumptions = Vec::new();
-    let (level, words) = match (name, level_ratio) {
-        (Some(name), _) => {
-            let ratio = level_of_floor(&floors, name);
-            let ratio = ratio.map_err(|problem| problem.of(&["floor"]))?;
-            let of = floors.storeys.map_or_else(String::new, |storeys| {
-                format!(" ({})", counted(storeys, "storey"))
-            });
-            (
-                ratio,
-                format!("{}{of}, z/h = {}", name.trim(), number(ratio, 3)),
-            )
-        }
-        (None, Some(ratio)) => (*ratio, format!("z/h = {}", number(*ratio, 3))),
+    let on = match (name, level_ratio) {
+        (Some(name), _) => StandsOn::Floor {
+            level_ratio: level_of_floor(&floors, name).map_err(|problem| problem.of(&["floor"]))?,
+            name: name.trim().to_owned(),
+            storeys: floors.storeys,
+        },
+        (None, Some(ratio)) => StandsOn::Level(*ratio),
         (None, None) if matches!(request.hazard, RestrainHazard::FloorAcceleration(_)) => {
-            (0.0, String::new())
+            StandsOn::Accelerated
         }
         (None, None) => {
-            assumptions.push("No floor was given: the object is on the ground.".to_owned());
-            (0.0, "the ground".to_owned())
+            assumptions.push(Assumed::Ground);
+            StandsOn::Ground
         }
     };
     if storeys.is_some() && storey_height_m.is_none() {
-        assumptions.push(format!(
-            "A storey is {} m high.",
-            number(DEFAULT_STOREY_HEIGHT_M, 3)
-        ));
+        assumptions.push(Assumed::StoreyHeight);
     }
     let building_height_m =
         storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
     Ok(Floor {
-        level_ratio: level,
+        on,
         building_height_m,
-        words,
         assumptions,
     })
 }
@@ -676,16 +701,16 @@ fn floor_of_list(hazard: &RestrainHazard, floor: &RestrainFloor) -> Result<Floor
 }
 
 /// What the code of flags assumes about the site.
-fn assumed_hazard(words: &Words, target: &Target) -> Vec<String> {
+fn assumed_hazard(words: &Words, target: &Target) -> Vec<Assumed> {
     let mut assumed = Vec::new();
     if let (None, Some(site)) = (words.get("site"), target.spectrum.site_name()) {
-        assumed.push(format!("The site was not given: class {site}."));
+        assumed.push(Assumed::Site(site));
     }
     if let (None, Some(years)) = (
         words.get("return_period_years"),
         target.spectrum.return_period_years(),
     ) {
-        assumed.push(format!("The return period was not given: {years} years."));
+        assumed.push(Assumed::ReturnPeriod(years));
     }
     assumed
 }

@@ -239,7 +239,7 @@ pub(super) fn assessment(
             }
         }
     }
-    assessed.context = context.comparisons(trial, &floor);
+    assessed.comparisons = context.comparisons(trial, &floor);
     assessed.answers = Some(answers);
     Ok(assessed)
 }
@@ -594,9 +594,8 @@ fn capacity_check(
         demand_capacity: median,
         demand_capacity_p84: p84,
         governing: governing.unwrap_or(capacity.edge_criterion()),
-        tolerance: capacity.words(),
+        tolerance: capacity.clone(),
         source: tolerance.source.clone(),
-        decides: capacity.decides,
         floor_ratio: capacity
             .peak_m_s2
             .map(|peak| floor.pfa_g_median * G0_M_S2 / peak),

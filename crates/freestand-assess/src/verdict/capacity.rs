@@ -2,23 +2,12 @@
 
 use std::sync::OnceLock;
 
-use freestand::G0_M_S2;
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
+use crate::capacity::Capacity;
 use crate::result::Criterion;
-use freestand_input::words::number;
 use freestand_inventory::library::Tolerance;
-
-/// The tolerance of an object as numbers that a demand is divided by.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Capacity {
-    pub(super) peak_m_s2: Option<f64>,
-    pub(super) duration_s: Option<f64>,
-    pub(super) velocity_change_m_s: Option<f64>,
-    pub(super) edge_lift_m: Option<f64>,
-    pub(super) decides: bool,
-}
 
 /// The half-sine of one landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -177,28 +166,6 @@ impl Capacity {
             _ => 1.0,
         }
     }
-
-    /// In words: `5 g, 11 ms half-sine`.
-    pub(super) fn words(&self) -> String {
-        let mut words: Vec<String> = Vec::new();
-        words.extend(
-            self.peak_m_s2
-                .map(|peak| format!("{} g", number(peak / G0_M_S2, 4))),
-        );
-        words.extend(
-            self.duration_s
-                .map(|s| format!("{} ms half-sine", number(1e3 * s, 4))),
-        );
-        words.extend(
-            self.velocity_change_m_s
-                .map(|v| format!("{} m/s", number(v, 4))),
-        );
-        words.extend(
-            self.edge_lift_m
-                .map(|m| format!("uplift of {} mm", number(1e3 * m, 4))),
-        );
-        words.join(", ")
-    }
 }
 
 /// End of the table of severities, as ln of the ratio of durations.
@@ -246,6 +213,8 @@ pub(super) fn severity_ratio(durations_ratio: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use freestand::G0_M_S2;
+
     use super::*;
     use freestand_inventory::library::Confidence;
 

@@ -8,8 +8,7 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 
 use crate::restraint::components::Component;
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
-use crate::result::{Axis, FloorFacts, RestraintForce};
-use freestand_input::words::{number, percent_words};
+use crate::result::{Axis, Comparison, FloorFacts, RestraintForce};
 use freestand_inventory::{Item, Rating};
 use freestand_study::study::Study;
 
@@ -20,16 +19,16 @@ use super::response::lifts;
 use super::trial::Trial;
 
 /// Dispersion of the FEMA P-58 fragilities of slender unanchored contents.
-const P58_BETA: f64 = 0.5;
+pub const P58_BETA: f64 = 0.5;
 
 /// Median of those fragilities over the velocity of Kaneko and Hayashi: from 0.75 to 0.81 for all
 /// nine.
-const P58_SHARE: f64 = 0.8;
+pub const P58_SHARE: f64 = 0.8;
 
 impl Context<'_> {
-    /// Comparisons with published numbers, one sentence each.
-    pub(super) fn comparisons(&self, trial: &Trial, facts: &FloorFacts) -> Vec<String> {
-        let mut lines = Vec::new();
+    /// Comparisons with published numbers.
+    pub(super) fn comparisons(&self, trial: &Trial, facts: &FloorFacts) -> Vec<Comparison> {
+        let mut found = Vec::new();
         if let (Some(target), Some(building)) =
             (self.study.ground.code_spectrum(), &self.study.building)
         {
@@ -40,12 +39,10 @@ impl Context<'_> {
             };
             let code_g = floor_acceleration_g(&target.spectrum, &question);
             if let (Some(code_g), Some(clause)) = (code_g, clause(&target.spectrum)) {
-                lines.push(format!(
-                    "The code requires {} g for a rigid part on this floor ({clause}); the median PFA of the motions \
-                     is {} g.",
-                    number(code_g, 3),
-                    number(facts.pfa_g_median, 3)
-                ));
+                found.push(Comparison::CodeFloor {
+                    code_g,
+                    clause: clause.to_owned(),
+                });
             }
         }
         if trial
@@ -59,27 +56,20 @@ impl Context<'_> {
                 .iter()
                 .map(|axis| kaneko_hayashi_velocity_m_s(&axis.block));
             let median_m_s = P58_SHARE * slender.fold(f64::INFINITY, f64::min);
-            let p = lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA);
-            lines.push(format!(
-                "By the rule that the FEMA P-58 medians for unanchored contents follow (0.8 of the overturning \
-                 velocity of Kaneko and Hayashi, recalled; β {P58_BETA}), an object of this shape has a median PFV \
-                 of {} m/s. At the median PFV of this floor, {} m/s, it overturns with a probability of {}.",
-                number(median_m_s, 3),
-                number(facts.pfv_m_s_median, 3),
-                percent_words(p)
-            ));
+            found.push(Comparison::FemaP58 {
+                median_m_s,
+                probability: lognormal_probability(facts.pfv_m_s_median, median_m_s, P58_BETA),
+            });
         }
         let thresholds = trial
             .subject
             .axes
             .iter()
             .map(|axis| axis.block.pivot().slenderness_angle_rad.tan());
-        lines.push(format!(
-            "Uplift begins at {} g; the largest PFA of its floor is {} g.",
-            number(thresholds.fold(f64::INFINITY, f64::min), 3),
-            number(facts.pfa_g_max, 3)
-        ));
-        lines
+        found.push(Comparison::Uplift {
+            threshold_g: thresholds.fold(f64::INFINITY, f64::min),
+        });
+        found
     }
 
     /// The forces for a restraint; none where the mass is not given.

@@ -47,6 +47,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
+pub use comparisons::{P58_BETA, P58_SHARE};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{Nominal, NominalRun};
@@ -255,7 +256,7 @@ pub(crate) fn blank(item: &Item, settings: &Settings) -> Assessment {
         softening: None,
         restraint: Vec::new(),
         clearance_m: None,
-        context: Vec::new(),
+        comparisons: Vec::new(),
         chain: None,
         notes: Vec::new(),
     }

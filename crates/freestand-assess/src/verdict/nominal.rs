@@ -15,12 +15,13 @@ use freestand::worlds::{Group, WallDraw, wall_draw};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
-use super::capacity::{Capacity, Demand, Terms};
+use super::capacity::{Demand, Terms};
 use super::draw::{Change, Draw, Drawn, draw, key};
 use super::object::{AxisGeometry, Body, Model, Subject, Way, own_damping_ratio};
 use super::respond::responses;
 use super::response::{AxisMotion, Lived, ModelResponse, PadMotion, terms};
 use super::slip::slips;
+use crate::capacity::Capacity;
 use crate::result::{Criterion, TooMild};
 use crate::worlds::FloorOfWorld;
 use freestand_input::words::listed;

@@ -18,7 +18,7 @@ use crate::reason::Flat;
 use crate::result::{Axis, TooMild};
 use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
 
-use super::capacity::Capacity;
+use crate::capacity::Capacity;
 
 /// What the models need of an [`Item`].
 #[derive(Debug, Clone)]

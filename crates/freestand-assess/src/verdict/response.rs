@@ -8,9 +8,10 @@ use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
 
-use super::capacity::{Capacity, Demand, Terms};
+use super::capacity::{Demand, Terms};
 use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
+use crate::capacity::Capacity;
 
 /// One axis on a rigid base, or rolling or sliding.
 #[derive(Debug, Clone, PartialEq)]

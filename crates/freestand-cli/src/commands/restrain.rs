@@ -3,7 +3,9 @@
 use clap::Args;
 use freestand_app::restrain::{Asked, Meant, Restrain, SCHEMA};
 use freestand_assess::restrain::{restrain, restrain_list};
-use freestand_report::restraint::{restraint_sheet, restraint_text, restraints_text};
+use freestand_report::restraint::{
+    restrain_list_report, restrain_report, restraint_sheet, restraint_text, restraints_text,
+};
 
 use super::{Done, Tell};
 use crate::args::GlobalArgs;
@@ -36,7 +38,7 @@ impl Tell for Restrain {
         let inputs = std::mem::take(&mut meant.inputs);
         match meant.asked()? {
             Asked::One(one) => {
-                let mut report = restrain(one)?;
+                let mut report = restrain_report(restrain(one)?);
                 let files = Files::begin(global, &inputs)?;
                 report.sheet_path = files.write(SHEET, || restraint_sheet(&report))?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {
@@ -44,7 +46,7 @@ impl Tell for Restrain {
                 })?;
             }
             Asked::List(list) => {
-                let report = restrain_list(&list)?;
+                let report = restrain_list_report(restrain_list(&list)?);
                 let files = Files::begin(global, &inputs)?;
                 files.table("restraint", || report.table())?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {

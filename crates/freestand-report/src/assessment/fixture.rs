@@ -9,12 +9,13 @@ use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Restitution;
 
+use freestand_assess::capacity::Capacity;
 use freestand_assess::reason::{Note, Reason};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
-    Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads, OnRigidBase,
-    PadOutcome, Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Softening,
+    Comparison, Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads,
+    OnRigidBase, PadOutcome, Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock,
+    ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
@@ -237,9 +238,14 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             } else {
                 Criterion::Peak
             },
-            tolerance: "5 g".to_owned(),
+            tolerance: Capacity {
+                peak_m_s2: Some(5.0 * G0_M_S2),
+                duration_s: None,
+                velocity_change_m_s: None,
+                edge_lift_m: None,
+                decides: true,
+            },
             source: tolerance.source.clone(),
-            decides: true,
             floor_ratio: Some(0.06),
         });
     Assessment {
@@ -354,7 +360,10 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         }),
         restraint: if falls { forces() } else { vec![] },
         clearance_m: Some(0.06),
-        context: vec!["ASCE 7-22 13.3: floor acceleration 0.41 g.".into()],
+        comparisons: vec![Comparison::CodeFloor {
+            code_g: 0.41,
+            clause: "ASCE 7-22, 13.3".to_owned(),
+        }],
         chain,
         notes: vec![Note::OneComponent],
     }
@@ -481,7 +490,7 @@ pub(super) fn unknown(item: &Item) -> Assessment {
         per_year: None,
         sliding: None,
         clearance_m: None,
-        context: vec![],
+        comparisons: vec![],
         chain: None,
         restraint: vec![],
         softening: None,
@@ -511,7 +520,10 @@ pub(super) fn rows(inventory: &Inventory, assessed: usize) -> Vec<Row<'_>> {
                     of: 1,
                     why: hostile(),
                 }];
-                found.context = vec![HOSTILE.concat()];
+                found.comparisons = vec![Comparison::CodeFloor {
+                    code_g: 1.0,
+                    clause: HOSTILE.concat(),
+                }];
             }
             Row {
                 rank: assessed - index,

@@ -7,7 +7,7 @@ use freestand_assess::accepted::accepted;
 use freestand_assess::assumed;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number, percent_significant};
-use freestand_inventory::{Casters, Inventory, Surroundings, console_lines};
+use freestand_inventory::{Casters, Column, Inventory, Surroundings, console_lines};
 use freestand_study::places::Confidence;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
@@ -96,7 +96,7 @@ pub fn head(study: &Study, inventory: &Inventory) -> Head {
         assumptions: assumptions(study, inventory),
         assumed_columns: assumed::counted(&inventory.items)
             .into_iter()
-            .map(|(column, objects, _)| (column, objects))
+            .map(|(column, objects)| (column.name(), objects))
             .collect(),
         problems: console_lines(&inventory.findings),
         warnings: study
@@ -397,6 +397,12 @@ pub fn silent(study: &Study, inventory: &Inventory) -> Vec<String> {
         .collect()
 }
 
+/// The rule of the order in words; every output that shows the list prints it.
+pub const RULE: &str = "Order of the list: first what to restrain, then what to soften, what to lock, what has no \
+    verdict, and what to leave. Within each: life safety (high first), probability of falling over, probability of exceeding the \
+    tolerance, property and function (high first), quantity (largest first), row of the list. An unrated object comes \
+    after one rated low, and a probability that is not known counts as 0.";
+
 /// What nobody stated of the place and the building.
 fn nobody_stated(study: &Study) -> Option<String> {
     let all: Vec<String> = study.assumed_at(1.0, UnitSystem::Si).collect();
@@ -406,9 +412,10 @@ fn nobody_stated(study: &Study) -> Option<String> {
 /// The columns that are empty for some objects, and what is then assumed.
 fn list_is_silent(inventory: &Inventory) -> Option<String> {
     let all = assumed::counted(&inventory.items);
-    let of =
-        |(column, objects, words): &(&str, usize, &str)| format!("{column} ({objects}): {words}");
-    let said: Vec<String> = all.iter().map(of).collect();
+    let of = |(column, objects): (Column, usize)| {
+        format!("{} ({objects}): {}", column.name(), in_place_of(column))
+    };
+    let said: Vec<String> = all.into_iter().map(of).collect();
     (!said.is_empty()).then(|| {
         format!(
             "Assumed, because the list does not say it, with the number of objects of {}: {}.",
@@ -416,6 +423,25 @@ fn list_is_silent(inventory: &Inventory) -> Option<String> {
             said.join("; ")
         )
     })
+}
+
+/// What is assumed where a column is empty.
+fn in_place_of(column: Column) -> &'static str {
+    match column {
+        Column::Width => "it rocks about one axis only",
+        Column::CgHeight => "half the height",
+        Column::BaseThickness => "it stands on its full thickness",
+        Column::Mass => "no shock, no pads and no force is calculated",
+        Column::Stiffness => "a rigid floor",
+        Column::Tolerance => "only falling is asked",
+        Column::Restitution => "Housner's, drawn about it",
+        Column::Friction => "enough for rocking",
+        Column::WallGap => "nothing within its reach",
+        Column::Casters => "none",
+        Column::RollingResistance => "that of the default casters",
+        // A column that an answer does not depend on.
+        _ => "nothing",
+    }
 }
 
 fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
@@ -513,4 +539,16 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     ]);
     assumed.extend(rolling(inventory));
     assumed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_open_column_has_its_assumption() {
+        for column in assumed::all() {
+            assert_ne!(in_place_of(column), "nothing", "{}", column.name());
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! The outputs of an assessment, written in one pass over its rows: a million objects are never in
 //! memory together.
 
+pub(crate) mod compared;
 mod csv;
 #[cfg(test)]
 mod fixture;

@@ -12,6 +12,8 @@ use freestand_input::words::{counted, listed, number, percent_words as percent, 
 use freestand_inventory::{Casters, Item, Surroundings};
 use freestand_study::study::Unstated;
 
+use super::compared::reach;
+
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
 const FALLS_WITH_FRICTION: [(f64, f64); 2] = [(0.3, 0.8), (0.5, 1.05)];
@@ -366,7 +368,7 @@ fn travels(found: &Assessment, rolled: &Rolled, has_wall: bool) -> String {
     };
     let travel = format!(
         "It {verb}: up to {} in 84 % of worlds, farther in the rest",
-        rolled.reach_words(UnitSystem::Si)
+        reach(rolled, UnitSystem::Si)
     );
     let Some(clearance_m) = rolled.clearance_m else {
         if has_wall {

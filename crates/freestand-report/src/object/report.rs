@@ -9,11 +9,13 @@ use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::Study;
+use freestand_study::target::Target;
 
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
 use freestand_assess::one_object::{
-    AtScale, Earthquake, FloorPlace, ObjectRequest, ObjectResult, Tally, middle,
+    AtScale, Earthquake, FloorPlace, NamedEarthquake, ObjectRequest, ObjectResult, Tally, Unused,
+    middle,
 };
 use freestand_assess::reason::Reason;
 use freestand_assess::result::{
@@ -59,12 +61,13 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
     let ObjectResult {
         study,
         earthquake,
-        earthquake_words,
         item,
         at_one: AtScale { found, tally, .. },
         scales,
         mut warnings,
+        unused,
     } = result;
+    warnings.extend(unused.into_iter().map(|one| has_no_effect(one).to_owned()));
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands = request.object.tolerance.map(|one| Withstands {
         peak_g: one.peak_m_s2 / G0_M_S2,
@@ -117,7 +120,7 @@ pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectRep
         kind: answer.kind,
         scales: scales.into_iter().map(Scaled).collect(),
         warnings,
-        earthquake: earthquake_words,
+        earthquake: in_full(request, &earthquake, &study),
         noun: noun(&earthquake),
         building: building_words(&study, request.units).filter(|_| is_above),
         level_ratio,
@@ -291,6 +294,55 @@ answer_of!(ObjectReport as report {
     // One line, however many there are.
     __: String = report.assumptions.join("; ") => "assumed";
 });
+
+/// The earthquake in full.
+fn in_full(request: &ObjectRequest, earthquake: &NamedEarthquake, study: &Study) -> String {
+    match (earthquake, &request.earthquake) {
+        (NamedEarthquake::GroundAcceleration { peak_g }, _) => format!(
+            "a ground acceleration of {} g, with the spectrum of Eurocode 8, type 1, ground B, scaled to it",
+            number(*peak_g, 4)
+        ),
+        (NamedEarthquake::Motions, Earthquake::Motions { motions, .. }) => {
+            match motions.as_slice() {
+                [one] => format!("the motion {}", one.motion.name),
+                several => format!("{} motions of the floor", several.len()),
+            }
+        }
+        (NamedEarthquake::MotionsOfStudy { study, .. }, _) => format!("the motions of {study}"),
+        _ => study
+            .ground
+            .code_spectrum()
+            .map_or_else(String::new, Target::one_line),
+    }
+}
+
+/// What was given and changes nothing.
+fn has_no_effect(unused: Unused) -> &'static str {
+    match unused {
+        Unused::Clearance => {
+            "`clearance` has no effect on an object that rocks: for a wall beside it, give `wall_gap`"
+        }
+        Unused::Walls => {
+            "`wall_gap` and `neighbour_gap` have no effect on an object that rolls or slides: the way to what stops it \
+             is `clearance`"
+        }
+        Unused::WallsOfStack => {
+            "`wall_gap` and `neighbour_gap` have no effect on an object with another one on it"
+        }
+        Unused::CastersOfStack => {
+            "`casters` have no effect on an object with another one on it: it is calculated as if they were braked"
+        }
+        Unused::Friction => {
+            "`friction` has no effect on free casters: they roll by `rolling_resistance`"
+        }
+        Unused::Pads => {
+            "`on` has no effect on free casters: the object rolls before it lifts from its pads"
+        }
+        Unused::WallStiffness => {
+            "`wall_stiffness` has no effect without `mass`: the shock at a wall needs both"
+        }
+    }
+}
 
 fn counts(found: &Assessment, tally: &Tally, around: &Surroundings) -> Counts {
     Counts {

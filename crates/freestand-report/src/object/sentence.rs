@@ -3,6 +3,7 @@
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 
+use crate::assessment::compared::reach;
 use freestand_assess::one_object::NamedEarthquake;
 use freestand_assess::result::{Probability, Rolled, TooMild};
 
@@ -213,7 +214,18 @@ impl Answer {
                     format!("{peak} {floor}")
                 }
             }
-            NamedEarthquake::Study { words } => format!("Under {words} {floor}"),
+            NamedEarthquake::Study {
+                study,
+                code,
+                years,
+                site,
+            } => {
+                let mut details = vec![code.clone()];
+                details.extend(years.map(|years| format!("{years} years")));
+                details.extend(site.clone());
+                let details = details.join(", ");
+                format!("Under the earthquake of {study} ({details}) {floor}")
+            }
             NamedEarthquake::MotionsOfStudy { motions: 1, study } => {
                 format!("Under the motion of {study} {floor}")
             }
@@ -409,7 +421,7 @@ impl Answer {
             }
             _ => share.to_owned(),
         };
-        let mut told = format!("{begin}by up to {}{first}", rolled.reach_words(self.units));
+        let mut told = format!("{begin}by up to {}{first}", reach(rolled, self.units));
         match (
             rolled.clearance_m,
             (rolled.stop_share * f64::from(motions)).round() as u32,

@@ -6,11 +6,13 @@ use freestand_output::html::{
     words,
 };
 
+use super::report::RestrainReport;
 use super::sketch::sketch;
-use freestand_assess::restrain::words::{
-    clause_words, factor_words, limits_words, tension_words, to_confirm,
+use super::words::{
+    NO_TENSION, ToConfirm, assumptions, clause_words, factor_words, floor_words, limits_words,
+    tension_words, to_confirm,
 };
-use freestand_assess::restrain::{Case, RestrainReport, ToConfirm};
+use freestand_assess::restrain::{Case, Doubt};
 use freestand_assess::restraint::Demand;
 
 /// The style of this report, added to that of a one-page report.
@@ -48,10 +50,9 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
         .target
         .as_ref()
         .map_or_else(String::new, |target| format!("{}. ", target.parts_words()));
-    let floor = if case.floor.is_empty() {
-        String::new()
-    } else {
-        format!("Floor: {}.", case.floor)
+    let floor = match floor_words(&case.floor) {
+        floor if floor.is_empty() => floor,
+        floor => format!("Floor: {floor}."),
     };
     let subtitle = format!("{}: {hazard}{floor}", clause_words(own));
     let mut html = opening(
@@ -123,7 +124,9 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
         .and_then(|target| target.place)
         .and_then(|place| place.doubt());
     let mut notes: Vec<String> = doubt.map(|doubt| sentence(&doubt)).into_iter().collect();
-    notes.extend(case.assumptions.iter().cloned());
+    notes.extend(assumptions(case));
+    let lifts_nothing = case.doubts.contains(&Doubt::NoTension);
+    notes.extend(lifts_nothing.then(|| NO_TENSION.to_owned()));
     notes.extend(own.source.remarks.iter().cloned());
     notes.push(
         "The sheet gives what the restraint must carry. Anchors, base plates, and the floor or wall that they are in \
@@ -294,97 +297,4 @@ fn symbols(text: &str) -> String {
         rest = tail;
     }
     html + &escape(rest)
-}
-
-#[cfg(test)]
-mod tests {
-    use freestand_assess::restrain::{
-        RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain,
-    };
-    use freestand_input::quantity::UnitSystem;
-
-    use super::*;
-
-    /// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, 140 kg.
-    fn cabinet(words: &[(&'static str, &str)], level_ratio: Option<f64>) -> RestrainRequest {
-        let words = words.iter().map(|(key, value)| (*key, (*value).to_owned()));
-        RestrainRequest {
-            mass_kg: 140.0,
-            height_m: 2.3,
-            thickness_m: 0.6,
-            width_m: Some(0.9),
-            cg_height_m: None,
-            hazard: RestrainHazard::Code(words.collect()),
-            floor: RestrainFloor {
-                level_ratio,
-                ..RestrainFloor::default()
-            },
-            factors: RestrainFactors::default(),
-            component: Some("cabinet".to_owned()),
-            anchor_inset_m: Some(0.0),
-            units: UnitSystem::Si,
-            anchors_per_edge: 2,
-            is_compared: false,
-        }
-    }
-
-    fn sheet(request: RestrainRequest) -> String {
-        restraint_sheet(&restrain(request).unwrap())
-    }
-
-    /// 0.3 S_DS I_p W = 0.45 W and 1.6 S_DS I_p W = 2.4 W; what nobody has read has its own box.
-    #[test]
-    fn limits_and_what_is_to_be_confirmed_are_on_the_sheet() {
-        let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
-        let factors = RestrainFactors {
-            importance_ratio: Some(1.5),
-            ..RestrainFactors::default()
-        };
-        let limited = sheet(RestrainRequest {
-            factors,
-            ..cabinet(&words, Some(1.0))
-        });
-        assert!(limited.contains("0.45 W to 2.4 W; the formula governs"));
-        let recalled = [
-            ("code", "eurocode8"),
-            ("ground_acceleration", "0.24 g"),
-            ("spectrum_type", "1"),
-            ("site", "B"),
-        ];
-        assert!(sheet(cabinet(&recalled, Some(0.5))).contains("class=\"confirm\""));
-    }
-
-    /// 140 kg = 308.6 lb, 0.6 m = 23.62 in.
-    #[test]
-    fn us_units_on_the_sheet() {
-        let sheet = sheet(RestrainRequest {
-            hazard: RestrainHazard::FloorAcceleration(0.9),
-            units: UnitSystem::Us,
-            ..cabinet(&[], None)
-        });
-        for part in ["308.6 lb", "23.62 in", "lbf·ft"] {
-            assert!(sheet.contains(part), "{part}");
-        }
-    }
-
-    /// It holds everything and loads nothing.
-    #[test]
-    fn other_codes_are_on_the_sheet() {
-        let sheet = sheet(RestrainRequest {
-            is_compared: true,
-            ..cabinet(&[("place", "Athens")], Some(1.0))
-        });
-        for part in [
-            "<svg",
-            "F<sub>a</sub> = α S",
-            "who says so",
-            "approximate, and the shape",
-            "Date and signature",
-            "For comparison",
-        ] {
-            assert!(sheet.contains(part), "{part}");
-        }
-        let all = sheet.matches("http://").count();
-        assert_eq!(all, sheet.matches("http://www.w3.org").count());
-    }
 }

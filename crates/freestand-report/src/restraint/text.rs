@@ -1,9 +1,13 @@
 //! Forces on restraints.
 
-use freestand_assess::restrain::{RestrainListReport, RestrainReport, ToConfirm};
+use freestand_assess::restraint::Demand;
 use freestand_input::keys::KeyStyle;
+use freestand_input::words::number;
 use freestand_output::answer::Answer as _;
 
+use super::list::RestrainListReport;
+use super::report::{RestrainReport, answer};
+use super::words::{ToConfirm, assumptions, clause_words, factor_words, to_confirm};
 use crate::table::{lines, table};
 
 /// The forces on the restraints of a list.
@@ -16,17 +20,20 @@ pub fn restraints_text(report: &RestrainListReport) -> String {
         "tension of an edge",
         "in concrete",
     ];
-    let cells = |row: &[String; 6]| row.each_ref().map(|cell| KeyStyle::Flag.shown(cell));
-    let rows: Vec<Vec<String>> = report.lines.iter().map(|row| cells(row).to_vec()).collect();
+    let cells = |row: [String; 6]| row.map(|cell| KeyStyle::Flag.shown(&cell)).to_vec();
+    let rows: Vec<Vec<String>> = report.lines().map(cells).collect();
     let mut text = table(&headings, &rows);
     text.push_str(&format!(
         "\n{} of {} objects have a force\n",
-        report.held,
-        report.lines.len()
+        report.held(),
+        rows.len()
     ));
-    text.push_str(&open_text(&report.to_confirm, &report.assumptions));
-    for problem in &report.problems {
-        text.push_str(&format!("in the list: {}\n", KeyStyle::Flag.shown(problem)));
+    text.push_str(&open_text(&report.to_confirm, &report.assumptions()));
+    for problem in report.problems() {
+        text.push_str(&format!(
+            "in the list: {}\n",
+            KeyStyle::Flag.shown(&problem)
+        ));
     }
     text
 }
@@ -59,10 +66,15 @@ fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
 
 /// The force on the restraint of one object.
 pub fn restraint_text(report: &RestrainReport) -> String {
-    let mut text = format!("{}\n\n{}\n", report.answer, lines(&report.facts()));
-    let rows: Vec<Vec<String>> = report.factors.iter().map(|row| row.to_vec()).collect();
+    let case = &report.case;
+    let mut text = format!("{}\n\n{}\n", answer(case), lines(&report.facts()));
+    let factors = &case.own.source.factors;
+    let rows: Vec<Vec<String>> = factors
+        .iter()
+        .map(|one| factor_words(one).to_vec())
+        .collect();
     text.push_str(&table(&["factor", "value", "who says so"], &rows));
-    if !report.others.is_empty() {
+    if !case.others.is_empty() {
         let headings = [
             "for comparison",
             "force",
@@ -70,11 +82,22 @@ pub fn restraint_text(report: &RestrainReport) -> String {
             "tension of an edge",
             "in concrete",
         ];
-        let rows: Vec<Vec<String>> = report.others.iter().map(|row| row.to_vec()).collect();
+        let units = case.request.units;
+        let other = |demand: &Demand| {
+            let force = &demand.force;
+            vec![
+                clause_words(demand),
+                units.force(force.force_n),
+                number(force.force_ratio, 3),
+                units.force(force.anchor_tension_n),
+                units.force(force.anchor_tension_concrete_n),
+            ]
+        };
+        let rows: Vec<Vec<String>> = case.others.iter().map(other).collect();
         text.push('\n');
         text.push_str(&table(&headings, &rows));
     }
-    text.push_str(&open_text(&report.to_confirm, &report.assumptions));
+    text.push_str(&open_text(&to_confirm(&case.own), &assumptions(case)));
     if let Some(path) = &report.sheet_path {
         text.push_str(&format!("\nto print: {path}\n"));
     }

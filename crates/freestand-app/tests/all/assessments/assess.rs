@@ -29,6 +29,7 @@ use freestand_assess::restrain::{
 use freestand_output::answer::Answer as _;
 use freestand_records::horizontal::HorizontalMotion;
 use freestand_report::assessment::JobReport;
+use freestand_report::restraint::restrain_report;
 use freestand_study::resolve::resolve;
 use freestand_study::run::{Progress, Stage, Step, no_progress};
 use freestand_study::study::Study;
@@ -623,6 +624,7 @@ fn a_list_and_restrain_agree() {
             is_compared: false,
         })
         .unwrap();
+        let report = restrain_report(report);
         let names = [
             "anchor_tension_n",
             "anchor_tension_concrete_n",

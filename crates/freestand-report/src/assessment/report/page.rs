@@ -3,6 +3,7 @@
 
 use std::fmt::Write;
 
+use crate::assessment::compared::{comparison, tolerance};
 use crate::assessment::overview::place;
 use crate::assessment::reasons::{self, softer_pad};
 use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
@@ -156,13 +157,13 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
     }
     match (&found.capacity, &item.tolerance) {
         (Some(capacity), _) => {
-            let recalled = if capacity.decides {
+            let recalled = if capacity.tolerance.decides {
                 ""
             } else {
                 "; recalled without a source, so no verdict depends on it"
             };
             rows.push(("Governing criterion", capacity.governing.name().to_owned()));
-            rows.push(("Tolerance", capacity.tolerance.clone()));
+            rows.push(("Tolerance", tolerance(&capacity.tolerance)));
             rows.push(("Its source", format!("{}{recalled}", capacity.source)));
         }
         (None, Some(tolerance)) => rows.push(("Source of the tolerance", tolerance.source.clone())),
@@ -691,7 +692,12 @@ fn comparisons(inventory: &Inventory, item: &Item, found: &Assessment) -> String
             html.push_str("</ul>\n");
         }
     };
-    add("Comparison with published numbers", &found.context);
+    let compared: Vec<String> = found
+        .comparisons
+        .iter()
+        .filter_map(|one| Some(comparison(one, found.floor.as_ref()?)))
+        .collect();
+    add("Comparison with published numbers", &compared);
     let mut carried = Vec::new();
     if !item.notes.is_empty() {
         carried.push(format!("Notes: {}", item.notes));

@@ -5,10 +5,10 @@ use std::fmt::Write;
 
 use crate::assessment::Head;
 use crate::assessment::floors::{FloorKey, floor_words};
+use crate::assessment::head::RULE;
 use crate::assessment::overview::{Counts, Overview, RATINGS, Urgent};
 use crate::assessment::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::assessment::worklist::{Task, sort_floors};
-use freestand_assess::rank::RULE;
 use freestand_assess::result::{Criterion, Decision};
 use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{

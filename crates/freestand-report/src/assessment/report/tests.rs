@@ -186,7 +186,7 @@ fn the_first_sheet_and_the_work_list_are_there() {
         work[0].contains("Level 4") && work.iter().all(|row| !row.contains("LEAVE")),
         "{work:#?}"
     );
-    assert!(text(section("first")).contains(freestand_assess::rank::RULE));
+    assert!(text(section("first")).contains(crate::assessment::head::RULE));
 }
 
 /// What is printed of an object is short: the rest is folded. A sheet holds some 4,300 characters of

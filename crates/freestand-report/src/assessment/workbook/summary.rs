@@ -5,11 +5,11 @@ use std::ops::Range;
 use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
 
 use crate::assessment::Head;
+use crate::assessment::head::RULE;
 use crate::assessment::overview::{Counts, Overview, RATINGS};
 use crate::assessment::sources::Sources;
 use crate::assessment::table::{COLUMNS, Kind};
 use crate::assessment::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
-use freestand_assess::rank::RULE;
 use freestand_assess::result::{Criterion, Decision};
 
 use super::cells::{Styles, put_number, put_text};

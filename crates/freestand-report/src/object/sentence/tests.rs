@@ -332,9 +332,12 @@ fn every_kind_under_every_earthquake() {
         ),
         (
             NamedEarthquake::Study {
-                words: "the earthquake of s.toml (EC8)".to_owned(),
+                study: "s.toml".to_owned(),
+                code: "EC8".to_owned(),
+                years: Some(475),
+                site: None,
             },
-            "Under the earthquake of s.toml (EC8) on the ground",
+            "Under the earthquake of s.toml (EC8, 475 years) on the ground",
             "simulated earthquakes",
         ),
         (

@@ -4,6 +4,7 @@ use freestand::G0_M_S2;
 use freestand::rocking::Restitution;
 use freestand_study::cushion::cushion_words;
 
+use crate::assessment::compared::tolerance;
 use crate::assessment::reasons::notes;
 use crate::assessment::table::{Cell, Column};
 use freestand_assess::result::{Cause, design_force, reported_force};
@@ -304,12 +305,8 @@ pub(super) const COLUMNS: &[Column] = &[
     ),
     // The values of the calculation.
     text("tolerance", "its tolerance, in words", |l| {
-        of_text(l, |found| {
-            found
-                .capacity
-                .as_ref()
-                .map(|capacity| capacity.tolerance.as_str())
-        })
+        let capacity = l.assessment().and_then(|found| found.capacity.as_ref());
+        Cell::owned(capacity.map(|one| tolerance(&one.tolerance)))
     }),
     number(
         "tolerance_g",

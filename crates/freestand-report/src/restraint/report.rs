@@ -1,33 +1,23 @@
-//! What `freestand restrain` prints, and its document.
+//! What `freestand restrain` answers for one object: its document, and the answer in one sentence.
 
-use freestand_input::quantity::UnitSystem;
+use freestand_assess::restrain::Case;
+use freestand_assess::restraint::Demand;
+use freestand_assess::restraint::factor::Factor;
 use freestand_input::words::number;
 use freestand_output::answer::ByName;
 use freestand_output::answer_of;
 use freestand_study::places::Place;
 use freestand_study::target::Target;
 
-use super::Case;
 use super::words::{
-    ToConfirm, clause_words, factor_words, limits_words, tension_words, to_confirm,
+    ToConfirm, assumptions, clause_words, doubt_words, floor_words, limits_words, tension_words,
+    to_confirm,
 };
-use crate::restraint::Demand;
-use crate::restraint::factor::Factor;
 
 /// The force, moments and anchors of one object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestrainReport {
-    /// The answer in one sentence.
-    pub answer: String,
-    /// The factors: symbol, value with its unit, who says so.
-    pub factors: Vec<[String; 3]>,
-    /// Other codes: clause, force, force over weight, tension of an edge, the same in concrete.
-    pub others: Vec<[String; 5]>,
-    /// What was not stated, a sentence each.
-    pub assumptions: Vec<String>,
-    /// What an engineer must confirm.
-    pub to_confirm: Vec<ToConfirm>,
-    /// Where it was written; whoever writes it says so.
+    /// Where the sheet was written; whoever writes it says so.
     pub sheet_path: Option<String>,
     /// Warnings.
     pub warnings: Vec<String>,
@@ -35,26 +25,18 @@ pub struct RestrainReport {
     pub case: Case,
 }
 
-pub(super) fn report(case: Case) -> RestrainReport {
+/// What there is to tell of a force.
+pub fn restrain_report(case: Case) -> RestrainReport {
     RestrainReport {
-        answer: answer(&case),
-        factors: case.own.source.factors.iter().map(factor_words).collect(),
-        others: case
-            .others
-            .iter()
-            .map(|demand| other_words(case.request.units, demand))
-            .collect(),
-        assumptions: case.assumptions.clone(),
-        to_confirm: to_confirm(&case.own),
         sheet_path: None,
-        warnings: case.warnings.clone(),
+        warnings: case.doubts.iter().map(doubt_words).collect(),
         case,
     }
 }
 
 /// `Design its restraint for 659 N (48 % of its weight), 1.15 m above its floor (ASCE 7-16,
 /// 13.3.1); along each edge the anchors carry 783 N of tension.`
-fn answer(case: &Case) -> String {
+pub(super) fn answer(case: &Case) -> String {
     let force = &case.own.force;
     let units = case.request.units;
     let anchors = match (
@@ -81,64 +63,51 @@ fn answer(case: &Case) -> String {
     )
 }
 
-fn other_words(units: UnitSystem, demand: &Demand) -> [String; 5] {
-    let force = &demand.force;
-    [
-        clause_words(demand),
-        units.force(force.force_n),
-        number(force.force_ratio, 3),
-        units.force(force.anchor_tension_n),
-        units.force(force.anchor_tension_concrete_n),
-    ]
+/// The words about each anchor.
+fn anchor_words(case: &Case) -> String {
+    let (force, units) = (&case.own.force, case.request.units);
+    let [tension_n, concrete_n] = [force.anchor_tension_n, force.anchor_tension_concrete_n]
+        .map(|edge_n| case.anchor_n(edge_n));
+    let pull = if tension_n > 0.0 || concrete_n > 0.0 {
+        format!(
+            "{} of tension, in concrete {}; ",
+            units.force(tension_n),
+            units.force(concrete_n)
+        )
+    } else {
+        String::new()
+    };
+    let shear = units.force(case.anchor_shear_n());
+    let anchors = case.request.anchors_per_edge;
+    format!("{pull}{shear} of shear ({anchors} along each of two edges)")
 }
 
-impl Case {
-    /// The words about each anchor.
-    fn anchor_words(&self) -> String {
-        let (force, units) = (&self.own.force, self.request.units);
-        let [tension_n, concrete_n] = [force.anchor_tension_n, force.anchor_tension_concrete_n]
-            .map(|edge_n| self.anchor_n(edge_n));
-        let pull = if tension_n > 0.0 || concrete_n > 0.0 {
-            format!(
-                "{} of tension, in concrete {}; ",
-                units.force(tension_n),
-                units.force(concrete_n)
-            )
-        } else {
-            String::new()
-        };
-        let shear = units.force(self.anchor_shear_n());
-        let anchors = self.request.anchors_per_edge;
-        format!("{pull}{shear} of shear ({anchors} along each of two edges)")
-    }
+fn bracket_words(case: &Case) -> String {
+    let (force, units) = (&case.own.force, case.request.units);
+    format!(
+        "{} at {}, with {} at the feet",
+        units.force(force.bracket_force_n),
+        units.length(force.bracket_height_m),
+        units.force(force.bracket_base_shear_n)
+    )
+}
 
-    fn bracket_words(&self) -> String {
-        let (force, units) = (&self.own.force, self.request.units);
-        format!(
-            "{} at {}, with {} at the feet",
-            units.force(force.bracket_force_n),
-            units.length(force.bracket_height_m),
-            units.force(force.bracket_base_shear_n)
-        )
-    }
+fn force_words(case: &Case) -> String {
+    let force = &case.own.force;
+    let share = number(force.force_ratio, 4);
+    let both = case.request.units.force_in_both(force.force_n);
+    format!("{both}, {share} of its weight")
+}
 
-    fn force_words(&self) -> String {
-        let force = &self.own.force;
-        let share = number(force.force_ratio, 4);
-        let both = self.request.units.force_in_both(force.force_n);
-        format!("{both}, {share} of its weight")
-    }
+/// The formula with its numbers.
+fn formula_words(case: &Case) -> String {
+    let source = &case.own.source;
+    let ratio = number(source.force.formula_ratio, 4);
+    format!("{} = {ratio} W", source.numbers)
+}
 
-    /// The formula with its numbers.
-    fn formula_words(&self) -> String {
-        let source = &self.own.source;
-        let ratio = number(source.force.formula_ratio, 4);
-        format!("{} = {ratio} W", source.numbers)
-    }
-
-    fn axis(&self) -> Option<&'static str> {
-        self.own.axis.as_ref().map(|axis| axis.axis.name())
-    }
+fn axis(case: &Case) -> Option<&'static str> {
+    case.own.axis.as_ref().map(|axis| axis.axis.name())
 }
 
 answer_of!(RestrainReport as report {
@@ -146,14 +115,14 @@ answer_of!(RestrainReport as report {
     clause: &'static str = report.case.own.source.clause;
     __: String = clause_words(&report.case.own) => "clause";
     __: Option<String> = report.case.target.as_ref().map(Target::parts_words) => "hazard";
-    __: Option<String> = Some(report.case.floor.clone()).filter(|floor| !floor.is_empty()) => "floor";
+    __: Option<String> = Some(floor_words(&report.case.floor)).filter(|floor| !floor.is_empty()) => "floor";
     __: String = report.case.own.source.equation.clone() => "formula";
-    __: String = format!("= {}", report.case.formula_words()) => " ";
+    __: String = format!("= {}", formula_words(&report.case)) => " ";
     __: Option<String> = limits_words(&report.case.own) => "limits";
     force_n: f64 = report.case.own.force.force_n;
     /// Of its weight.
     force_ratio: f64 = report.case.own.force.force_ratio;
-    __: String = report.case.force_words() => "force";
+    __: String = force_words(&report.case) => "force";
     acts_at_height_m: f64 = report.case.question.object.cg_height_m;
     __: String = report.case.request.units.length(report.case.question.object.cg_height_m) => "acts at a height of";
     overturning_moment_n_m: f64 = report.case.own.overturning_moment_n_m;
@@ -161,8 +130,8 @@ answer_of!(RestrainReport as report {
     resisting_moment_n_m: f64 = report.case.own.resisting_moment_n_m;
     __: String = report.case.request.units.moment(report.case.own.resisting_moment_n_m) => "resisting moment";
     /// The axis across which it tips.
-    axis: Option<&'static str> = report.case.axis();
-    __: Option<String> = report.case.axis().map(|axis| format!("the {axis}")) => "tips across";
+    axis: Option<&'static str> = axis(&report.case);
+    __: Option<String> = axis(&report.case).map(|axis| format!("the {axis}")) => "tips across";
     anchor_inset_m: f64 = report.case.own.inset_m;
     /// Along one edge.
     anchor_tension_n: f64 = report.case.own.force.anchor_tension_n;
@@ -170,26 +139,26 @@ answer_of!(RestrainReport as report {
     anchor_tension_concrete_n: f64 = report.case.own.force.anchor_tension_concrete_n;
     __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_concrete_n) => "the same in concrete";
     per_anchor: OfAnchor<'_> = OfAnchor(&report.case);
-    __: String = report.case.anchor_words() => "each anchor";
+    __: String = anchor_words(&report.case) => "each anchor";
     anchors_per_edge: usize = report.case.request.anchors_per_edge;
     bracket_height_m: f64 = report.case.own.force.bracket_height_m;
     bracket_force_n: f64 = report.case.own.force.bracket_force_n;
     /// At the feet, beside the bracket.
     bracket_base_shear_n: f64 = report.case.own.force.bracket_base_shear_n;
-    __: String = report.case.bracket_words() => "or a bracket";
+    __: String = bracket_words(&report.case) => "or a bracket";
     held_weight_ratio: f64 = report.case.own.force.held_weight_ratio;
     overstrength_ratio: f64 = report.case.own.force.overstrength_ratio;
     /// The formula with its numbers.
-    formula: String = report.case.formula_words();
+    formula: String = formula_words(&report.case);
     level_ratio: f64 = report.case.question.object.level_ratio;
     place: Option<&Place> = report.case.target.as_ref().and_then(|target| target.place);
-    factors: ByName<&Factor> = factors(&report.case.own.source.factors);
+    factors: ByName<OfFactor<'_>> = factors(&report.case.own.source.factors);
     /// What was not stated.
-    assumptions: Vec<String> = report.assumptions.clone();
+    assumptions: Vec<String> = assumptions(&report.case);
     /// The row of the table of components of the code.
     component: Option<&'static str> = report.case.question.object.component.map(|row| row.name);
     /// What an engineer must confirm.
-    to_confirm: Vec<&ToConfirm> = report.to_confirm.iter().collect();
+    to_confirm: Vec<ToConfirm> = to_confirm(&report.case.own);
     /// The same by other codes.
     others: Vec<ByCode<'_>> = report.case.others.iter().map(ByCode).collect();
     /// Where the sheet was written.
@@ -220,20 +189,28 @@ answer_of!(ByCode<'_> as by {
     anchor_tension_n: f64 = by.0.force.anchor_tension_n;
     anchor_tension_concrete_n: f64 = by.0.force.anchor_tension_concrete_n;
     bracket_force_n: f64 = by.0.force.bracket_force_n;
-    factors: ByName<&Factor> = factors(&by.0.source.factors);
+    factors: ByName<OfFactor<'_>> = factors(&by.0.source.factors);
 });
 
-answer_of!(Factor as factor {
-    symbol: &'static str = factor.symbol;
-    value: f64 = factor.value;
-    unit: &'static str = factor.unit;
+/// A factor of a formula.
+#[derive(Clone, Copy)]
+struct OfFactor<'r>(&'r Factor);
+
+answer_of!(OfFactor<'_> as of {
+    symbol: &'static str = of.0.symbol;
+    value: f64 = of.0.value;
+    unit: &'static str = of.0.unit;
     /// Who says so.
-    source: String = factor.source.words();
+    source: String = of.0.source.words();
 });
 
 /// Factors by their keys.
-fn factors(all: &[Factor]) -> ByName<&Factor> {
-    ByName(all.iter().map(|factor| (factor.key, factor)).collect())
+fn factors(all: &[Factor]) -> ByName<OfFactor<'_>> {
+    ByName(
+        all.iter()
+            .map(|factor| (factor.key, OfFactor(factor)))
+            .collect(),
+    )
 }
 
 answer_of!(ToConfirm as one {

@@ -1,0 +1,157 @@
+use freestand_assess::restrain::{
+    Assumed, Doubt, NotHeld, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
+    StandsOn, restrain,
+};
+use freestand_input::problem::{Problem, Problems};
+use freestand_input::quantity::UnitSystem;
+
+use super::words::{assumption, doubt_words, floor_words, not_held};
+use super::*;
+
+/// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, 140 kg.
+fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest {
+    RestrainRequest {
+        mass_kg: 140.0,
+        height_m: 2.3,
+        thickness_m: 0.6,
+        width_m: Some(0.9),
+        cg_height_m: None,
+        hazard,
+        floor: RestrainFloor {
+            level_ratio,
+            ..RestrainFloor::default()
+        },
+        factors: RestrainFactors::default(),
+        component: Some("cabinet".to_owned()),
+        anchor_inset_m: Some(0.0),
+        units: UnitSystem::Si,
+        anchors_per_edge: 2,
+        is_compared: false,
+    }
+}
+
+fn code(words: &[(&'static str, &'static str)]) -> RestrainHazard {
+    RestrainHazard::Code(words.iter().copied().collect())
+}
+
+fn sheet(request: RestrainRequest) -> String {
+    restraint_sheet(&restrain_report(restrain(request).unwrap()))
+}
+
+/// 0.3 S_DS I_p W = 0.45 W and 1.6 S_DS I_p W = 2.4 W; what nobody has read has its own box.
+#[test]
+fn limits_and_what_is_to_be_confirmed_are_on_the_sheet() {
+    let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
+    let factors = RestrainFactors {
+        importance_ratio: Some(1.5),
+        ..RestrainFactors::default()
+    };
+    let limited = sheet(RestrainRequest {
+        factors,
+        ..cabinet(code(&words), Some(1.0))
+    });
+    assert!(limited.contains("0.45 W to 2.4 W; the formula governs"));
+    let recalled = [
+        ("code", "eurocode8"),
+        ("ground_acceleration", "0.24 g"),
+        ("spectrum_type", "1"),
+        ("site", "B"),
+    ];
+    assert!(sheet(cabinet(code(&recalled), Some(0.5))).contains("class=\"confirm\""));
+}
+
+/// 140 kg = 308.6 lb, 0.6 m = 23.62 in.
+#[test]
+fn us_units_on_the_sheet() {
+    let sheet = sheet(RestrainRequest {
+        units: UnitSystem::Us,
+        ..cabinet(RestrainHazard::FloorAcceleration(0.9), None)
+    });
+    for part in ["308.6 lb", "23.62 in", "lbf·ft"] {
+        assert!(sheet.contains(part), "{part}");
+    }
+}
+
+/// It holds everything and loads nothing.
+#[test]
+fn other_codes_are_on_the_sheet() {
+    let sheet = sheet(RestrainRequest {
+        is_compared: true,
+        ..cabinet(code(&[("place", "Athens")]), Some(1.0))
+    });
+    for part in [
+        "<svg",
+        "F<sub>a</sub> = α S",
+        "who says so",
+        "approximate, and the shape",
+        "Date and signature",
+        "For comparison",
+    ] {
+        assert!(sheet.contains(part), "{part}");
+    }
+    let all = sheet.matches("http://").count();
+    assert_eq!(all, sheet.matches("http://www.w3.org").count());
+}
+
+/// 0.9 W = 1235.6 N = 278 lbf, and half of 2.3 m = 45.28 in.
+#[test]
+fn the_text_of_one_object() {
+    let text = |request| restraint_text(&restrain_report(restrain(request).unwrap()));
+    let us = text(RestrainRequest {
+        units: UnitSystem::Us,
+        ..cabinet(RestrainHazard::FloorAcceleration(0.9), None)
+    });
+    assert!(us.contains("278 lbf") && us.contains("45.28 in"), "{us}");
+    let words = [("code", "asce7"), ("edition", "2016"), ("sds", "1 g")];
+    insta::assert_snapshot!(text(RestrainRequest {
+        is_compared: true,
+        ..cabinet(code(&words), Some(1.0))
+    }));
+}
+
+#[test]
+fn every_sentence() {
+    let mut all: Vec<String> = [
+        StandsOn::Floor {
+            name: "3".to_owned(),
+            storeys: Some(6),
+            level_ratio: 0.5,
+        },
+        StandsOn::Level(0.5),
+        StandsOn::Ground,
+    ]
+    .iter()
+    .map(floor_words)
+    .collect();
+    let assumed = [
+        Assumed::Ground,
+        Assumed::StoreyHeight,
+        Assumed::Site("Ce"),
+        Assumed::ReturnPeriod(500),
+        Assumed::CgHeight,
+        Assumed::NoWidth,
+        Assumed::Inset(0.075),
+    ];
+    all.extend(
+        assumed
+            .iter()
+            .map(|one| assumption(one, UnitSystem::Si, 1.15)),
+    );
+    let doubts = [
+        Doubt::NoEffect("sd1"),
+        Doubt::ComponentUnused("AS 1170.4"),
+        Doubt::NoTension,
+    ];
+    all.extend(doubts.iter().map(doubt_words));
+    let refused = Problem::value("its height is not that of an object", "correct it");
+    let why = [
+        NotHeld::Anchored,
+        NotHeld::Unconfirmed(vec!["mass".to_owned(), "height".to_owned()]),
+        NotHeld::Stacked,
+        NotHeld::Unknown(vec!["mass"]),
+        NotHeld::Unknown(vec!["mass", "height", "floor"]),
+        NotHeld::Refused(Problems::from(refused)),
+    ];
+    all.extend(why.iter().map(not_held));
+    insta::assert_snapshot!(all.join("\n"));
+}

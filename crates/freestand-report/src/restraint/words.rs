@@ -1,0 +1,195 @@
+//! The force, its factors and its limits as the report and the sheet say them.
+
+use freestand::code_spectrum::part_forces::Governing;
+use freestand_input::quantity::UnitSystem;
+use freestand_input::words::{counted, listed, number};
+
+use freestand_assess::restrain::{Assumed, Case, Doubt, NotHeld, StandsOn};
+use freestand_assess::restraint::Demand;
+use freestand_assess::restraint::factor::{Factor, FactorSource};
+use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
+
+/// Where an object stands: its floor, its height over that of the building; empty where the given
+/// acceleration is that of its floor.
+pub(super) fn floor_words(floor: &StandsOn) -> String {
+    let level = |ratio: f64| format!("z/h = {}", number(ratio, 3));
+    match floor {
+        StandsOn::Floor {
+            name,
+            storeys,
+            level_ratio,
+        } => {
+            let of = storeys.map_or_else(String::new, |storeys| {
+                format!(" ({})", counted(storeys, "storey"))
+            });
+            format!("{name}{of}, {}", level(*level_ratio))
+        }
+        StandsOn::Level(ratio) => level(*ratio),
+        StandsOn::Ground => "the ground".to_owned(),
+        StandsOn::Accelerated => String::new(),
+    }
+}
+
+/// What was assumed about one object, a sentence each.
+pub(super) fn assumptions(case: &Case) -> Vec<String> {
+    let cg_height_m = case.question.object.cg_height_m;
+    let words = |one| assumption(one, case.request.units, cg_height_m);
+    case.assumptions.iter().map(words).collect()
+}
+
+/// What was assumed, as a sentence.
+pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64) -> String {
+    match assumed {
+        Assumed::Ground => "No floor was given: the object is on the ground.".to_owned(),
+        Assumed::StoreyHeight => {
+            format!("A storey is {} m high.", number(DEFAULT_STOREY_HEIGHT_M, 3))
+        }
+        Assumed::Site(site) => format!("The site was not given: class {site}."),
+        Assumed::ReturnPeriod(years) => format!("The return period was not given: {years} years."),
+        Assumed::CgHeight => format!(
+            "The centre of gravity is at half of the height, {}.",
+            units.length(cg_height_m)
+        ),
+        Assumed::NoWidth => {
+            "No width was given: only tipping across the thickness is checked.".to_owned()
+        }
+        Assumed::Inset(inset_m) => format!(
+            "The anchors stand {} inside the edge that they hold down: measure it, and give `anchor_inset`.",
+            units.length(*inset_m)
+        ),
+    }
+}
+
+/// What is said where the force of a code lifts nothing.
+pub(super) const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a \
+                          code may be reduced for ductility, and an earthquake may lift the object all the same. \
+                          freestand assess simulates that.";
+
+/// What there is to know beside a force.
+pub(super) fn doubt_words(doubt: &Doubt) -> String {
+    match doubt {
+        Doubt::Input(words) => words.clone(),
+        Doubt::NoEffect(key) => format!(
+            "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"
+        ),
+        Doubt::ComponentUnused(by) => {
+            format!("`component` is not used by {by}: its tables are those of ASCE 7")
+        }
+        Doubt::NoTension => NO_TENSION.to_owned(),
+    }
+}
+
+/// Why an object of a list has no force.
+pub(super) fn not_held(why: &NotHeld) -> String {
+    match why {
+        NotHeld::Anchored => "it is anchored already".to_owned(),
+        NotHeld::Unconfirmed(columns) => {
+            format!("its size or mass must be confirmed: {}", columns.join(", "))
+        }
+        NotHeld::Stacked => "another body stands on it, which is not counted".to_owned(),
+        NotHeld::Unknown(names) => {
+            let verb = if names.len() == 1 { "is" } else { "are" };
+            format!("its {} {verb} not known", listed(names))
+        }
+        NotHeld::Refused(problems) => {
+            let messages: Vec<&str> = problems
+                .problems
+                .iter()
+                .map(|problem| problem.message.as_str())
+                .collect();
+            messages.join("; ")
+        }
+    }
+}
+
+/// The tension along one edge.
+pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
+    if tension_n > 0.0 {
+        units.force_in_both(tension_n)
+    } else {
+        "none: its weight holds it down".to_owned()
+    }
+}
+
+/// The symbol of a factor, its value with its unit, and who says so.
+pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
+    let unit = if factor.unit == "1" {
+        String::new()
+    } else {
+        format!(" {}", factor.unit)
+    };
+    [
+        factor.symbol.to_owned(),
+        format!("{}{unit}", factor.number()),
+        factor.source.words(),
+    ]
+}
+
+/// `F = 0.48 W; from 0.3 W to 1.6 W; the formula governs`.
+pub(super) fn limits_words(demand: &Demand) -> Option<String> {
+    let force = &demand.source.force;
+    let share = |ratio: f64| format!("{} W", number(ratio, 4));
+    let range = match (force.minimum_ratio > 0.0, force.maximum_ratio.is_finite()) {
+        (true, true) => format!(
+            "from {} to {}",
+            share(force.minimum_ratio),
+            share(force.maximum_ratio)
+        ),
+        (true, false) => format!("at least {}", share(force.minimum_ratio)),
+        (false, true) => format!("at most {}", share(force.maximum_ratio)),
+        (false, false) => return None,
+    };
+    let governs = match force.governing {
+        Governing::Minimum => "the lower limit governs",
+        Governing::Formula => "the formula governs",
+        Governing::Maximum => "the upper limit governs",
+    };
+    Some(format!("{range}; {governs}"))
+}
+
+/// `ASCE 7-16, 13.3.1`, or `F = m a`.
+pub(super) fn clause_words(demand: &Demand) -> String {
+    let source = &demand.source;
+    source.code.map_or_else(
+        || source.clause.to_owned(),
+        |code| format!("{code}, {}", source.clause),
+    )
+}
+
+/// What an engineer must confirm of a force.
+pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
+    let factor = |factor: &Factor| match factor.source {
+        FactorSource::Recalled("") => Some(ToConfirm {
+            what: factor.symbol.to_owned(),
+            value: factor.number(),
+        }),
+        FactorSource::Recalled(reason) => Some(ToConfirm {
+            what: format!("{}: {reason}", factor.symbol),
+            value: factor.number(),
+        }),
+        FactorSource::Given
+        | FactorSource::Assumed(_)
+        | FactorSource::Found(_)
+        | FactorSource::Read(_) => None,
+    };
+    let clause = |what: &&str| ToConfirm {
+        what: (*what).to_owned(),
+        value: String::new(),
+    };
+    let source = &demand.source;
+    source
+        .factors
+        .iter()
+        .filter_map(factor)
+        .chain(source.to_confirm.iter().map(clause))
+        .collect()
+}
+
+/// What nobody has read in the code, and an engineer must confirm before the sheet is signed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ToConfirm {
+    /// What it is: a factor with what it stands for, or a clause.
+    pub what: String,
+    /// The value that was used; empty for a clause.
+    pub value: String,
+}
