@@ -3,6 +3,8 @@
 use freestand::G0_M_S2;
 use rust_xlsxwriter::{ColNum, RowNum, Workbook, Worksheet, XlsxError};
 
+use strum::VariantArray;
+
 use crate::assessment::table::Line;
 use freestand_assess::result::{Chain, Criterion};
 use freestand_input::words::number;
@@ -21,49 +23,110 @@ const HEADER_ROW: RowNum = 7;
 /// The cell with the acceleration of gravity.
 const GRAVITY: &str = "$B$4";
 
-/// Columns of the sheet, in order. An `Input` is a value; a `Check` has three columns: formula,
-/// value of the assessment, difference.
-#[derive(Clone, Copy)]
-enum Part {
-    Text(&'static str),
-    Input(&'static str),
-    Step(&'static str),
-    Check(&'static str),
+/// What a column shows. A `Check` has three: formula, value of the assessment, difference.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Text,
+    Input,
+    Step,
+    Check,
 }
 
-use Part::{Check, Input, Step, Text};
+use Kind::{Check, Input, Step, Text};
 
-const PARTS: [Part; 29] = [
-    Text("rank"),
-    Text("id"),
-    Text("motion"),
-    Text("axis"),
-    Text("form"),
-    Input("h height_m"),
-    Input("t thickness_m"),
-    Input("B base_m"),
-    Input("z cg_height_m"),
-    Input("m mass_kg"),
-    Input("k stiffness_n_m"),
-    Input("Δh cg_rise_m"),
-    Input("uplift_m"),
-    Input("edge_acceleration_impact_velocity_g"),
-    Input("tolerance_g"),
-    Input("tolerance_velocity_change_m_s"),
-    Input("tolerance_edge_lift_m"),
-    Check("R half_diagonal_m"),
-    Step("x = (d/R)²"),
-    Step("I₀/m [m²]"),
-    Check("R_D landing_ratio, Eq. (6)"),
-    Check("a drop_acceleration_g, Eq. (7)"),
-    Check("m_eff effective_mass_kg"),
-    Step("v edge_velocity_m_s"),
-    Check("a_edge edge_acceleration_g, Eq. (5) or (8)"),
-    Check("Δv velocity_change_m_s"),
-    Check("T pulse_duration_s"),
-    Step("larger shock_g"),
-    Check("demand_capacity_ratio"),
-];
+/// Columns of the sheet, in order.
+#[derive(Clone, Copy, VariantArray)]
+enum Part {
+    Rank,
+    Id,
+    Motion,
+    Axis,
+    HowSolved,
+    Height,
+    Thickness,
+    Base,
+    CgHeight,
+    Mass,
+    Stiffness,
+    CgRise,
+    Uplift,
+    ImpactShock,
+    TolerancePeak,
+    ToleranceChange,
+    ToleranceLift,
+    HalfDiagonal,
+    SideRatio,
+    Inertia,
+    LandingRatio,
+    DropShock,
+    EffectiveMass,
+    EdgeVelocity,
+    EdgeShock,
+    VelocityChange,
+    Duration,
+    LargerShock,
+    DemandCapacity,
+}
+
+impl Part {
+    /// What it shows, and its heading.
+    const fn shows(self) -> (Kind, &'static str) {
+        match self {
+            Self::Rank => (Text, "rank"),
+            Self::Id => (Text, "id"),
+            Self::Motion => (Text, "motion"),
+            Self::Axis => (Text, "axis"),
+            Self::HowSolved => (Text, "form"),
+            Self::Height => (Input, "h height_m"),
+            Self::Thickness => (Input, "t thickness_m"),
+            Self::Base => (Input, "B base_m"),
+            Self::CgHeight => (Input, "z cg_height_m"),
+            Self::Mass => (Input, "m mass_kg"),
+            Self::Stiffness => (Input, "k stiffness_n_m"),
+            Self::CgRise => (Input, "Δh cg_rise_m"),
+            Self::Uplift => (Input, "uplift_m"),
+            Self::ImpactShock => (Input, "edge_acceleration_impact_velocity_g"),
+            Self::TolerancePeak => (Input, "tolerance_g"),
+            Self::ToleranceChange => (Input, "tolerance_velocity_change_m_s"),
+            Self::ToleranceLift => (Input, "tolerance_edge_lift_m"),
+            Self::HalfDiagonal => (Check, "R half_diagonal_m"),
+            Self::SideRatio => (Step, "x = (d/R)²"),
+            Self::Inertia => (Step, "I₀/m [m²]"),
+            Self::LandingRatio => (Check, "R_D landing_ratio, Eq. (6)"),
+            Self::DropShock => (Check, "a drop_acceleration_g, Eq. (7)"),
+            Self::EffectiveMass => (Check, "m_eff effective_mass_kg"),
+            Self::EdgeVelocity => (Step, "v edge_velocity_m_s"),
+            Self::EdgeShock => (Check, "a_edge edge_acceleration_g, Eq. (5) or (8)"),
+            Self::VelocityChange => (Check, "Δv velocity_change_m_s"),
+            Self::Duration => (Check, "T pulse_duration_s"),
+            Self::LargerShock => (Step, "larger shock_g"),
+            Self::DemandCapacity => (Check, "demand_capacity_ratio"),
+        }
+    }
+
+    /// Its first column.
+    fn column(self) -> ColNum {
+        FIRST[self as usize]
+    }
+
+    const fn width(self) -> ColNum {
+        match self.shows().0 {
+            Check => 3,
+            Text | Input | Step => 1,
+        }
+    }
+}
+
+/// The first column of every part, and the number of columns.
+const FIRST: [ColNum; Part::VARIANTS.len() + 1] = {
+    let mut first = [0; Part::VARIANTS.len() + 1];
+    let mut part = 0;
+    while part < Part::VARIANTS.len() {
+        first[part + 1] = first[part] + Part::VARIANTS[part].width();
+        part += 1;
+    }
+    first
+};
 
 /// The sheet as it is written.
 pub(super) struct Audit {
@@ -73,37 +136,6 @@ pub(super) struct Audit {
     without: usize,
     /// Objects that are not among the most urgent.
     beyond: usize,
-    places: Places,
-}
-
-/// Where each part begins.
-struct Places {
-    first: Vec<ColNum>,
-    columns: ColNum,
-}
-
-impl Places {
-    fn new() -> Self {
-        let (mut first, mut columns) = (Vec::new(), 0);
-        for part in PARTS {
-            first.push(columns);
-            columns += if matches!(part, Check(_)) { 3 } else { 1 };
-        }
-        Self { first, columns }
-    }
-
-    /// The first column of the part whose name is `name`, or begins with it.
-    fn of(&self, name: &str) -> ColNum {
-        let is_it = |part: &Part| {
-            let (Text(full) | Input(full) | Step(full) | Check(full)) = part;
-            full.split([' ', ',']).next() == Some(name)
-        };
-        let index = PARTS.iter().position(is_it);
-        index
-            .and_then(|index| self.first.get(index))
-            .copied()
-            .unwrap_or_default()
-    }
 }
 
 impl Audit {
@@ -114,7 +146,6 @@ impl Audit {
         inventory: &Inventory,
     ) -> Result<Self, XlsxError> {
         let mut sheet = sheet(workbook, is_large, "Audit")?;
-        let places = Places::new();
         let listed = inventory.items.len().min(MAX_OBJECTS);
         put_text(
             &mut sheet,
@@ -136,12 +167,11 @@ impl Audit {
         put_text(&mut sheet, (3, 0), "g [m/s²]", &styles.header)?;
         put_number(&mut sheet, (3, 1), Some(G0_M_S2), &styles.input)?;
         put_text(&mut sheet, (4, 0), "largest difference", &styles.header)?;
-        let ranges: Vec<String> = PARTS
+        let ranges: Vec<String> = Part::VARIANTS
             .iter()
-            .zip(&places.first)
-            .filter(|(part, _)| matches!(part, Check(_)))
-            .map(|(_, first)| {
-                let column = letters(first + 2);
+            .filter(|part| part.shows().0 == Check)
+            .map(|part| {
+                let column = letters(part.column() + 2);
                 let last = HEADER_ROW + 1 + listed.max(1) as RowNum;
                 format!("{column}{}:{column}{last}", HEADER_ROW + 2)
             })
@@ -156,13 +186,12 @@ impl Audit {
             );
             put_text(&mut sheet, (5, 0), &text, &styles.warning)?;
         }
-        headers(&mut sheet, &places, styles)?;
+        headers(&mut sheet, styles)?;
         Ok(Self {
             sheet,
             row: HEADER_ROW + 1,
             without: 0,
             beyond: 0,
-            places,
         })
     }
 
@@ -181,7 +210,6 @@ impl Audit {
         let governing = found.capacity.as_ref().map(|capacity| capacity.governing);
         let mut writer = Writer {
             sheet: &mut self.sheet,
-            places: &self.places,
             styles,
             row: self.row,
         };
@@ -218,24 +246,23 @@ impl Audit {
                 &styles.text,
             )?;
         }
-        self.sheet
-            .autofilter(HEADER_ROW, 0, last, self.places.columns - 1)?;
+        self.sheet.autofilter(HEADER_ROW, 0, last, last_column())?;
         Ok(self.sheet)
     }
 }
 
-fn headers(sheet: &mut Worksheet, places: &Places, styles: &Styles) -> Result<(), XlsxError> {
+fn headers(sheet: &mut Worksheet, styles: &Styles) -> Result<(), XlsxError> {
     sheet.set_row_height(HEADER_ROW, 62)?;
     sheet.set_freeze_panes(HEADER_ROW + 1, 2)?;
     sheet.set_column_width(0, 18)?;
-    for (part, &first) in PARTS.iter().zip(&places.first) {
-        let (Text(name) | Input(name) | Step(name) | Check(name)) = *part;
+    for part in Part::VARIANTS {
+        let ((kind, name), first) = (part.shows(), part.column());
         put_text(sheet, (HEADER_ROW, first), name, &styles.header)?;
         if first > 0 {
-            let width = if matches!(part, Text(_)) { 20.0 } else { 13.0 };
+            let width = if kind == Text { 20.0 } else { 13.0 };
             sheet.set_column_width(first, width)?;
         }
-        if let Check(name) = part {
+        if kind == Check {
             let short = name.split(' ').next().unwrap_or(name);
             put_text(
                 sheet,
@@ -288,7 +315,6 @@ impl Form {
 /// One row.
 struct Writer<'w> {
     sheet: &'w mut Worksheet,
-    places: &'w Places,
     styles: &'w Styles,
     row: RowNum,
 }
@@ -302,15 +328,15 @@ impl Writer<'_> {
             &self.styles.count,
         )?;
         let form = Form::of(chain).words(chain.is_halted);
-        for (name, text) in [
-            ("id", item.id.as_str()),
-            ("motion", &chain.motion),
-            ("axis", chain.axis.name()),
-            ("form", form),
+        for (part, text) in [
+            (Part::Id, item.id.as_str()),
+            (Part::Motion, &chain.motion),
+            (Part::Axis, chain.axis.name()),
+            (Part::HowSolved, form),
         ] {
             put_text(
                 self.sheet,
-                (self.row, self.places.of(name)),
+                (self.row, part.column()),
                 text,
                 &self.styles.text,
             )?;
@@ -321,35 +347,35 @@ impl Writer<'_> {
     fn inputs(&mut self, item: &Item, chain: &Chain) -> Result<(), XlsxError> {
         let tolerance = item.tolerance.as_ref();
         let inputs = [
-            ("h", Some(chain.height_m)),
-            ("t", Some(chain.thickness_m)),
-            ("B", Some(chain.base_m)),
-            ("z", Some(cg_height_m(item, chain))),
-            ("m", Some(chain.mass_kg)),
-            ("k", chain.stiffness_n_m),
-            ("Δh", Some(chain.cg_rise_m)),
-            ("uplift_m", Some(chain.uplift_m)),
+            (Part::Height, Some(chain.height_m)),
+            (Part::Thickness, Some(chain.thickness_m)),
+            (Part::Base, Some(chain.base_m)),
+            (Part::CgHeight, Some(cg_height_m(item, chain))),
+            (Part::Mass, Some(chain.mass_kg)),
+            (Part::Stiffness, chain.stiffness_n_m),
+            (Part::CgRise, Some(chain.cg_rise_m)),
+            (Part::Uplift, Some(chain.uplift_m)),
             (
-                "edge_acceleration_impact_velocity_g",
+                Part::ImpactShock,
                 Some(chain.edge_acceleration_impact_velocity_g),
             ),
             (
-                "tolerance_g",
+                Part::TolerancePeak,
                 tolerance.and_then(|tolerance| Some(tolerance.peak_m_s2? / G0_M_S2)),
             ),
             (
-                "tolerance_velocity_change_m_s",
+                Part::ToleranceChange,
                 tolerance.and_then(|tolerance| tolerance.velocity_change_m_s),
             ),
             (
-                "tolerance_edge_lift_m",
+                Part::ToleranceLift,
                 tolerance.and_then(|tolerance| tolerance.edge_lift_m),
             ),
         ];
-        for (name, value) in inputs {
+        for (part, value) in inputs {
             put_number(
                 self.sheet,
-                (self.row, self.places.of(name)),
+                (self.row, part.column()),
                 value,
                 &self.styles.input,
             )?;
@@ -360,8 +386,22 @@ impl Writer<'_> {
     /// R, x, I₀/m, R_D, m_eff and v, which do not need the stiffness.
     fn geometry(&mut self, item: &Item, chain: &Chain) -> Result<(), XlsxError> {
         let is_printed = Form::of(chain) == Form::Printed;
-        let [h, t, b, z, m, rise] = ["h", "t", "B", "z", "m", "Δh"].map(|name| self.at(name));
-        let [r, x, i0, r_d] = ["R", "x", "I₀/m", "R_D"].map(|name| self.at(name));
+        let [h, t, b, z, m, rise] = [
+            Part::Height,
+            Part::Thickness,
+            Part::Base,
+            Part::CgHeight,
+            Part::Mass,
+            Part::CgRise,
+        ]
+        .map(|part| self.at(part));
+        let [r, x, i0, r_d] = [
+            Part::HalfDiagonal,
+            Part::SideRatio,
+            Part::Inertia,
+            Part::LandingRatio,
+        ]
+        .map(|part| self.at(part));
         let radius = chain.half_diagonal_m;
         let x_value = (chain.base_m / radius).powi(2);
         let i0_value = if is_printed {
@@ -395,35 +435,47 @@ impl Writer<'_> {
         } else {
             format!("{b}*SQRT(2*{GRAVITY}*{rise}/{i0})")
         };
-        self.check("R", &radius_formula, Some(radius))?;
-        self.step("x", &format!("({b}/{r})^2"), x_value)?;
-        self.step("I₀/m", &i0_formula, i0_value)?;
-        self.check("R_D", &r_d_formula, Some(chain.landing_ratio))?;
-        self.check("m_eff", &m_eff, Some(chain.effective_mass_kg))?;
-        self.step("v", &velocity, v_value)
+        self.check(Part::HalfDiagonal, &radius_formula, Some(radius))?;
+        self.step(Part::SideRatio, &format!("({b}/{r})^2"), x_value)?;
+        self.step(Part::Inertia, &i0_formula, i0_value)?;
+        self.check(Part::LandingRatio, &r_d_formula, Some(chain.landing_ratio))?;
+        self.check(Part::EffectiveMass, &m_eff, Some(chain.effective_mass_kg))?;
+        self.step(Part::EdgeVelocity, &velocity, v_value)
     }
 
     /// a, a_edge, Δv, T.
     fn shock(&mut self, chain: &Chain) -> Result<(), XlsxError> {
-        let [m, k, rise, x, r_d, a] = ["m", "k", "Δh", "x", "R_D", "a"].map(|name| self.at(name));
-        let [m_eff, v] = ["m_eff", "v"].map(|name| self.at(name));
+        let [m, k, rise, x, r_d, a] = [
+            Part::Mass,
+            Part::Stiffness,
+            Part::CgRise,
+            Part::SideRatio,
+            Part::LandingRatio,
+            Part::DropShock,
+        ]
+        .map(|part| self.at(part));
+        let [m_eff, v] = [Part::EffectiveMass, Part::EdgeVelocity].map(|part| self.at(part));
         let edge = match (Form::of(chain), chain.is_halted) {
             (Form::Law, _) => {
-                self.value("a", chain.drop_acceleration_g)?;
-                self.value("a_edge", chain.edge_acceleration_g)?;
-                self.value("Δv", chain.velocity_change_m_s)?;
-                return self.value("T", chain.pulse_duration_s);
+                self.value(Part::DropShock, chain.drop_acceleration_g)?;
+                self.value(Part::EdgeShock, chain.edge_acceleration_g)?;
+                self.value(Part::VelocityChange, chain.velocity_change_m_s)?;
+                return self.value(Part::Duration, chain.pulse_duration_s);
             }
             (Form::Printed, false) => format!("3/4/SQRT(1-{r_d}^2)*{x}*{a}"),
             (Form::Printed, true) => format!("3/4*{x}*{a}"),
             (Form::General, _) => format!("{v}*SQRT({k}/{m_eff})/{GRAVITY}"),
         };
         let drop = format!("SQRT(2*{k}*{GRAVITY}*{rise}/{m})/{GRAVITY}");
-        self.check("a", &drop, Some(chain.drop_acceleration_g))?;
-        self.check("a_edge", &edge, Some(chain.edge_acceleration_g))?;
-        self.check("Δv", &format!("2*{v}"), Some(chain.velocity_change_m_s))?;
+        self.check(Part::DropShock, &drop, Some(chain.drop_acceleration_g))?;
+        self.check(Part::EdgeShock, &edge, Some(chain.edge_acceleration_g))?;
         self.check(
-            "T",
+            Part::VelocityChange,
+            &format!("2*{v}"),
+            Some(chain.velocity_change_m_s),
+        )?;
+        self.check(
+            Part::Duration,
             &format!("PI()*SQRT({m_eff}/{k})"),
             Some(chain.pulse_duration_s),
         )
@@ -436,12 +488,12 @@ impl Writer<'_> {
         chain: &Chain,
         governing: Option<Criterion>,
     ) -> Result<(), XlsxError> {
-        let [edge, change, larger] = ["a_edge", "Δv", "larger"].map(|name| self.at(name));
-        let [impact, lift] =
-            ["edge_acceleration_impact_velocity_g", "uplift_m"].map(|name| self.at(name));
-        let peak = self.at("tolerance_g");
+        let [edge, change, larger] =
+            [Part::EdgeShock, Part::VelocityChange, Part::LargerShock].map(|part| self.at(part));
+        let [impact, lift] = [Part::ImpactShock, Part::Uplift].map(|part| self.at(part));
+        let peak = self.at(Part::TolerancePeak);
         let [limit, survived] =
-            ["tolerance_velocity_change_m_s", "tolerance_edge_lift_m"].map(|name| self.at(name));
+            [Part::ToleranceChange, Part::ToleranceLift].map(|part| self.at(part));
         let shock_g = chain
             .edge_acceleration_g
             .max(chain.edge_acceleration_impact_velocity_g);
@@ -449,9 +501,9 @@ impl Writer<'_> {
             return Ok(());
         };
         if Form::of(chain) == Form::Law {
-            return self.value("demand_capacity_ratio", ratio);
+            return self.value(Part::DemandCapacity, ratio);
         }
-        self.step("larger", &format!("MAX({edge},{impact})"), shock_g)?;
+        self.step(Part::LargerShock, &format!("MAX({edge},{impact})"), shock_g)?;
         let tolerance = item.tolerance.as_ref();
         let has = |value: fn(&freestand_inventory::library::Tolerance) -> Option<f64>| {
             tolerance.and_then(value).is_some()
@@ -466,23 +518,23 @@ impl Writer<'_> {
             }
             Some(Criterion::VelocityChange) if has_change => changed,
             Some(Criterion::EdgeLift) if has(|t| t.edge_lift_m) => format!("{lift}/{survived}"),
-            _ => return self.value("demand_capacity_ratio", ratio),
+            _ => return self.value(Part::DemandCapacity, ratio),
         };
         if chain.edge_acceleration_g > 0.0 {
-            self.check("demand_capacity_ratio", &formula, Some(ratio))
+            self.check(Part::DemandCapacity, &formula, Some(ratio))
         } else {
-            self.value("demand_capacity_ratio", ratio)
+            self.value(Part::DemandCapacity, ratio)
         }
     }
 
     /// The cell of a part in this row.
-    fn at(&self, name: &str) -> String {
-        format!("{}{}", letters(self.places.of(name)), self.row + 1)
+    fn at(&self, part: Part) -> String {
+        format!("{}{}", letters(part.column()), self.row + 1)
     }
 
     /// A formula, the value of the assessment, and their difference.
-    fn check(&mut self, name: &str, formula: &str, value: Option<f64>) -> Result<(), XlsxError> {
-        let (row, column) = (self.row, self.places.of(name));
+    fn check(&mut self, part: Part, formula: &str, value: Option<f64>) -> Result<(), XlsxError> {
+        let (row, column) = (self.row, part.column());
         put_formula(
             self.sheet,
             (row, column),
@@ -504,24 +556,29 @@ impl Writer<'_> {
     }
 
     /// A value without a formula.
-    fn value(&mut self, name: &str, value: f64) -> Result<(), XlsxError> {
+    fn value(&mut self, part: Part, value: f64) -> Result<(), XlsxError> {
         put_number(
             self.sheet,
-            (self.row, self.places.of(name) + 1),
+            (self.row, part.column() + 1),
             Some(value),
             &self.styles.value,
         )
     }
 
-    fn step(&mut self, name: &str, formula: &str, value: f64) -> Result<(), XlsxError> {
+    fn step(&mut self, part: Part, formula: &str, value: f64) -> Result<(), XlsxError> {
         put_formula(
             self.sheet,
-            (self.row, self.places.of(name)),
+            (self.row, part.column()),
             formula,
             Some(value),
             &self.styles.formula,
         )
     }
+}
+
+/// The last column of the sheet.
+fn last_column() -> ColNum {
+    FIRST[Part::VARIANTS.len()] - 1
 }
 
 /// Height of the centre of gravity, from the inventory.
@@ -549,15 +606,5 @@ mod tests {
             [0, 25, 26, 701, 702].map(letters),
             ["A", "Z", "AA", "ZZ", "AAA"]
         );
-        let places = Places::new();
-        // No two parts share a column, and every short name finds its part.
-        let found: Vec<ColNum> = PARTS
-            .iter()
-            .map(|part| {
-                let (Text(name) | Input(name) | Step(name) | Check(name)) = part;
-                places.of(name.split([' ', ',']).next().unwrap())
-            })
-            .collect();
-        assert_eq!(found, places.first);
     }
 }

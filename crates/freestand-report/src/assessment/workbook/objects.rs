@@ -151,7 +151,10 @@ fn colour(sheet: &mut Worksheet, last_row: RowNum) -> Result<(), XlsxError> {
                 .set_format(format);
             sheet.add_conditional_format(1, at, last_row, at, &rule)?;
         }
-        if column.name.starts_with("demand_capacity_ratio") {
+        if matches!(
+            column.name,
+            "demand_capacity_ratio" | "demand_capacity_ratio_p84"
+        ) {
             let rule = ConditionalFormatCellRule::GreaterThan(1.0);
             let rule = ConditionalFormatCell::new()
                 .set_rule(rule)
