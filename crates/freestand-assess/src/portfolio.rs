@@ -56,7 +56,16 @@ pub fn progress_names(parts: &[Part]) -> Vec<String> {
 
 /// Called with each object when it is finished; its rank is that among the objects which were told before
 /// it.
-pub type Finished<'a> = &'a dyn Fn(&Item, usize, &Assessment);
+pub type TellObject<'a> = &'a dyn Fn(&Item, usize, &Assessment);
+
+/// What is kept of every world beside the results.
+#[derive(Clone, Copy, Default)]
+pub struct Keep<'a> {
+    /// How the outcomes are written, if they are.
+    pub outcomes: Option<WriteOutcomes>,
+    /// Where the ground motions are kept, if they are.
+    pub motions: Option<&'a Path>,
+}
 
 /// One object with its rank: 1 is the most urgent.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,9 +110,11 @@ impl Lived {
 pub fn assess<'a>(
     study: &'a Study,
     inventory: &'a Inventory,
-    (store, parts): (Store, Vec<Part>),
-    (outcomes, motions): (Option<WriteOutcomes>, Option<&Path>),
-    (progress, finished): (Progress, Option<Finished>),
+    store: Store,
+    parts: Vec<Part>,
+    keep: Keep,
+    tell: Option<TellObject>,
+    progress: Progress,
 ) -> Result<Portfolio<'a>, Problems> {
     let total = inventory.items.len();
     let wants_to_stop = || {
@@ -131,9 +142,9 @@ pub fn assess<'a>(
         worlds: None,
     };
     let alternative = study.alternative();
-    refuse_outcomes(outcomes.is_some(), alternative.as_ref())?;
-    let mut assessor = Assessor::new((study, total), (outcomes, motions), &wants_to_stop)
-        .beside(alternative.as_ref());
+    refuse_outcomes(keep.outcomes.is_some(), alternative.as_ref())?;
+    let mut assessor =
+        Assessor::new(study, total, keep, &wants_to_stop).beside(alternative.as_ref());
     let mut list = Vec::with_capacity(total);
     let mut ranked: Vec<Urgency> = Vec::new();
     for part in parts {
@@ -170,7 +181,7 @@ pub fn assess<'a>(
             Err(error) => return Err(error),
         };
         portfolio.count(items, &found);
-        if let Some(tell) = finished {
+        if let Some(tell) = tell {
             for (item, found) in items.iter().zip(&found) {
                 let urgency = Urgency::new(item, found);
                 let place = ranked.partition_point(|other| other.order(&urgency).is_lt());
@@ -197,10 +208,7 @@ pub struct Assessor<'a, 's> {
     study: &'a Study,
     /// Rows of the whole inventory.
     total: usize,
-    /// How the outcomes of every world are written, if they are.
-    outcomes: Option<WriteOutcomes>,
-    /// Where the ground motions of worlds are kept, if they are.
-    motions: Option<&'s Path>,
+    keep: Keep<'s>,
     wants_to_stop: &'s (dyn Fn() -> bool + Sync),
     context: Option<Context<'s>>,
     /// The study with the other spectrum of its national annex.
@@ -222,16 +230,16 @@ pub struct Assessed {
 impl<'a: 's, 's> Assessor<'a, 's> {
     /// For a study and an inventory with `total` rows.
     pub fn new(
-        (study, total): (&'a Study, usize),
-        (outcomes, motions): (Option<WriteOutcomes>, Option<&'s Path>),
+        study: &'a Study,
+        total: usize,
+        keep: Keep<'s>,
         wants_to_stop: &'s (dyn Fn() -> bool + Sync),
     ) -> Self {
         let (context, worlds) = (None, None);
         Self {
             study,
             total,
-            outcomes,
-            motions,
+            keep,
             wants_to_stop,
             context,
             alternative: None,
@@ -268,7 +276,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         items: &[Item],
         progress: Progress,
     ) -> Result<Assessed, Problems> {
-        let is_complete = self.outcomes.is_none() || store.has_outcomes(part);
+        let is_complete = self.keep.outcomes.is_none() || store.has_outcomes(part);
         let stored = store.read(part, items.iter().map(|item| item.id.as_str()));
         if let Some(found) = stored.filter(|_| is_complete) {
             return Ok(Assessed {
@@ -279,7 +287,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         let context = match &mut self.context {
             Some(context) => context,
             empty => {
-                let worlds = shake(self.study, self.motions, progress)?;
+                let worlds = shake(self.study, self.keep.motions, progress)?;
                 self.worlds = Some(worlds.at_intensity(1.0));
                 empty.insert(Context::new(
                     self.study,
@@ -289,7 +297,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
                 ))
             }
         };
-        let (mut found, rows) = assess_part(context, items, self.outcomes)?;
+        let (mut found, rows) = assess_part(context, items, self.keep.outcomes)?;
         if let Some(study) = self.alternative {
             let other = match &mut self.other {
                 Some(context) => context,
@@ -380,7 +388,6 @@ fn assess_part(
                 found[place] = nothing(Reason::NoMotion);
             }
             Err(missing) => {
-                let missing = missing.into_iter().map(str::to_owned).collect();
                 found[place] = nothing(Reason::NotGiven(missing));
             }
         }

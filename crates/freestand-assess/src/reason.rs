@@ -1,9 +1,10 @@
 //! Why a decision was made, and what else there is to know of an object, as data: `freestand-report` has the
 //! words.
 
+use freestand_input::words::listed;
 use freestand_study::study::Unstated;
 use serde::{Deserialize, Serialize};
-use strum::{EnumCount, IntoStaticStr};
+use strum::{EnumCount, IntoStaticStr, VariantArray};
 
 /// Why an object has its decision. The numbers are those of its [`Assessment`](crate::result::Assessment)
 /// where a reason has none of its own.
@@ -14,13 +15,10 @@ pub enum Reason {
     Anchored,
     /// The study has no motion for its floor.
     NoMotion,
-    /// Columns that are empty, without which nothing is assessed.
-    NotGiven(Vec<String>),
+    /// What is not known, without which nothing is assessed.
+    NotGiven(Vec<Missing>),
     /// It rolls or slides.
-    Travels {
-        /// Whether a wall or a neighbour was named.
-        has_wall: bool,
-    },
+    Travels,
     /// Whether it falls.
     Falling {
         /// Whether an edge lifts in any world, by any model.
@@ -31,15 +29,12 @@ pub enum Reason {
         /// Because it has no tolerance.
         lacks_tolerance: bool,
     },
-    /// Columns that are empty, without which its shock is not known.
-    ShockUnknown(Vec<String>),
+    /// What is not known, without which its shock is not.
+    ShockUnknown(Vec<Missing>),
     /// Whether its tolerance is exceeded, by the criterion that governs.
     Shock(Option<Criterion>),
     /// Its tolerance was not checked against its source, and cannot decide.
-    Unchecked {
-        /// The source.
-        source: String,
-    },
+    Unchecked,
     /// A softer pad was looked for.
     SofterPad,
     /// What exceeds its tolerance is the acceleration of the floor.
@@ -81,6 +76,65 @@ pub enum Reason {
     BeforeWall,
     /// The other spectrum of the national annex decides, by its type.
     Spectrum(u8),
+}
+
+/// What is not known of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, VariantArray)]
+#[serde(rename_all = "kebab-case")]
+pub enum Missing {
+    /// A person's word for a size that nobody would believe.
+    Confirmation,
+    /// The height of its floor over that of the building.
+    Level,
+    /// Its height.
+    Height,
+    /// Its thickness.
+    Thickness,
+    /// Sizes that a block can have.
+    Geometry,
+    /// Its width.
+    Width,
+    /// Its mass.
+    Mass,
+    /// The mass of what stands on it.
+    UpperMass,
+    /// The stiffness of its pads.
+    Stiffness,
+    /// What it withstands.
+    Tolerance,
+    /// The stiffness of its stop.
+    StopStiffness,
+}
+
+impl Missing {
+    /// Its name after `its`.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Confirmation => "confirmation of its size",
+            Self::Level => "floor level",
+            Self::Height => "height",
+            Self::Thickness => "thickness",
+            Self::Geometry => "valid geometry",
+            Self::Width => "width",
+            Self::Mass => "mass",
+            Self::UpperMass => "mass of what stands on it",
+            Self::Stiffness => "cushion",
+            Self::Tolerance => "tolerance",
+            Self::StopStiffness => "wall stiffness",
+        }
+    }
+
+    /// The names of several.
+    pub fn listed(all: &[Self]) -> String {
+        let names: Vec<&str> = all.iter().map(|one| one.words()).collect();
+        listed(&names)
+    }
+}
+
+/// Those of these that are not known.
+pub(crate) fn unknown<const N: usize>(known: [(bool, Missing); N]) -> Vec<Missing> {
+    let open = known.into_iter().filter(|(is_known, _)| !is_known);
+    open.map(|(_, missing)| missing).collect()
 }
 
 /// The criteria by which a tolerance can be exceeded.
@@ -204,7 +258,7 @@ pub enum WithoutPads {
 #[serde(rename_all = "kebab-case")]
 pub enum Flat {
     /// These are not given.
-    Missing(Vec<String>),
+    Missing(Vec<Missing>),
     /// Its base or its centre of gravity is not that of a uniform block.
     NotUniform,
     /// There are neighbours within its reach.

@@ -48,7 +48,7 @@ pub(crate) fn check_object(
     let report = watched(py, threads, |stop| {
         one_object(&meant.object, &|| stop.load(Ordering::Relaxed))
     })?;
-    let report = object_report(&meant.object, report.map_err(raised)?);
+    let report = object_report(report.map_err(raised)?);
     told(SCHEMA, &report, &report.warnings)
 }
 

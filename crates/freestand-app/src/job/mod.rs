@@ -12,7 +12,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use freestand_assess::key::resume_key;
-use freestand_assess::portfolio::{Finished, Portfolio, assess, progress_names, shake};
+use freestand_assess::portfolio::{Keep, Portfolio, TellObject, assess, progress_names, shake};
 use freestand_assess::result::{Assessment, Decision};
 use freestand_assess::store::{PROGRESS, Part, Store, part_size};
 use freestand_input::file::InputFile;
@@ -84,7 +84,7 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    assess_telling(study, inventory, target, job, (progress, None))
+    assess_telling(study, inventory, target, job, None, progress)
 }
 
 /// As [`assess_into`], but reports each object when it is finished, for a user who watches.
@@ -96,7 +96,8 @@ pub fn assess_telling(
     inventory: &Inventory,
     target: &Path,
     job: &Job,
-    (progress, tell): (Progress, Option<TellRow>),
+    tell: Option<TellRow>,
+    progress: Progress,
 ) -> Result<JobReport, Problems> {
     let size = job.part_rows.map_or_else(
         || part_size(study, inventory),
@@ -105,7 +106,7 @@ pub fn assess_telling(
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
-        && let Some(report) = finished(target, &key, (study, inventory), job, &head)
+        && let Some(report) = finished(target, &key, study, inventory, job, &head)
     {
         return Ok(report);
     }
@@ -120,14 +121,12 @@ pub fn assess_telling(
             tell(&rows.row(item, rank, found));
         }
     };
-    let finished: Option<Finished> = rows.is_some().then_some(&told);
-    let portfolio = assess(
-        study,
-        inventory,
-        (store, parts),
-        (job.outcomes.then_some(outcomes_rows), None),
-        (progress, finished),
-    )?;
+    let told: Option<TellObject> = rows.is_some().then_some(&told);
+    let keep = Keep {
+        outcomes: job.outcomes.then_some(outcomes_rows),
+        motions: None,
+    };
+    let portfolio = assess(study, inventory, store, parts, keep, told, progress)?;
     let run = Run {
         study,
         inventory,
@@ -136,7 +135,7 @@ pub fn assess_telling(
         key: &key,
         motions: None,
     };
-    written(&run, (target, folder), portfolio, progress)
+    written(&run, target, folder, portfolio, progress)
 }
 
 /// The folder for the outputs, which are checked to have a place in it.
@@ -174,7 +173,8 @@ struct Run<'r> {
 /// Writes the outputs of a finished or interrupted run.
 fn written(
     run: &Run,
-    (target, folder): (&Path, OutputFolder),
+    target: &Path,
+    folder: OutputFolder,
     mut portfolio: Portfolio,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
@@ -203,7 +203,7 @@ fn written(
         file.finish()?;
     }
     if !portfolio.interrupted {
-        match worlds_into(&folder, (study, motions), &mut portfolio, progress) {
+        match worlds_into(&folder, study, motions, &mut portfolio, progress) {
             Err(error) if error.is_stopped() && motions.is_none() => portfolio.interrupted = true,
             written => written?,
         }
@@ -229,7 +229,8 @@ fn written(
 /// that was stopped has none: whoever stops a run does not wait for its motions.
 fn worlds_into(
     folder: &OutputFolder,
-    (study, motions): (&Study, Option<&Path>),
+    study: &Study,
+    motions: Option<&Path>,
     portfolio: &mut Portfolio,
     progress: Progress,
 ) -> Result<(), Problems> {
@@ -344,7 +345,8 @@ fn file_name(path: &Path) -> Option<String> {
 fn finished(
     target: &Path,
     key: &str,
-    (study, inventory): (&Study, &Inventory),
+    study: &Study,
+    inventory: &Inventory,
     job: &Job,
     head: &Head,
 ) -> Option<JobReport> {

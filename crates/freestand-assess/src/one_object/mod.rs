@@ -15,14 +15,13 @@ use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
 
-use crate::reason::Reason;
+use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
 use crate::verdict::{Context, Member, Subject, assess_one};
 pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
-use freestand_input::words::listed;
 use freestand_inventory::{Casters, Item, Surroundings};
 use strum::VariantArray;
 
@@ -164,7 +163,9 @@ pub enum FloorPlace {
 
 /// What became of one object.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ObjectResult {
+pub struct ObjectResult<'r> {
+    /// What was asked.
+    pub request: &'r ObjectRequest,
     /// The study that shook it.
     pub study: Study,
     /// Its earthquake, as an answer names it.
@@ -199,10 +200,10 @@ pub struct AtScale {
 ///
 /// # Errors
 /// Everything that is wrong with the request; a motion that cannot be generated; a stop.
-pub fn one_object(
-    request: &ObjectRequest,
+pub fn one_object<'r>(
+    request: &'r ObjectRequest,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<ObjectResult, Problems> {
+) -> Result<ObjectResult<'r>, Problems> {
     Ok(one_object_shown(request, &Memory::default(), None, wants_to_stop)?.0)
 }
 
@@ -211,12 +212,12 @@ pub fn one_object(
 ///
 /// # Errors
 /// As for [`one_object`], or no earthquake of the name that is followed.
-pub fn one_object_shown(
-    request: &ObjectRequest,
+pub fn one_object_shown<'r>(
+    request: &'r ObjectRequest,
     memory: &Memory,
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<(ObjectResult, Option<Shown>), Problems> {
+) -> Result<(ObjectResult<'r>, Option<Shown>), Problems> {
     check(request)?;
     let shaken = shaking::shaken(request)?;
     let other = shaken.alternative();
@@ -235,20 +236,18 @@ pub fn one_object_shown(
 }
 
 /// As [`one_object_shown`], in one study.
-fn in_study(
-    request: &ObjectRequest,
+fn in_study<'r>(
+    request: &'r ObjectRequest,
     shaken: shaking::Shaken,
     memory: &Memory,
     follow: Option<&Follow>,
     wants_to_stop: &(dyn Fn() -> bool + Sync),
-) -> Result<(ObjectResult, Option<Shown>), Problems> {
+) -> Result<(ObjectResult<'r>, Option<Shown>), Problems> {
     let row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
     let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
-        Problem::new(
-            ProblemKind::Missing,
-            format!("its {} is missing", listed(&missing)),
-        )
+        let message = format!("its {} is missing", Missing::listed(&missing));
+        Problem::new(ProblemKind::Missing, message)
     })?;
     if matches!(request.earthquake, Earthquake::Motions { .. }) {
         // Nothing is drawn for motions that are given.
@@ -292,6 +291,7 @@ fn in_study(
     let mut warnings = shaken.warnings;
     warnings.extend(row.warnings);
     let result = ObjectResult {
+        request,
         study: shaken.study,
         earthquake: shaken.earthquake,
         item: row.item,

@@ -8,7 +8,7 @@ use freestand::sliding::trip_speed_m_s;
 use freestand::spatial::StackPart;
 use freestand::spectra::landings;
 
-use crate::reason::{Note, Reason, Slips};
+use crate::reason::{Missing, Note, Reason, Slips, unknown};
 use crate::restraint::is_beyond_code;
 use crate::result::{
     Assessment, AtWall, AxisResponse, Braked, CapacityCheck, Chain, Criterion, Decision,
@@ -118,11 +118,6 @@ pub(super) fn assessment(
         missing: &missing,
         softer: softening.as_ref().map(Softening::admissible),
         beyond_pads: beyond_pads(trial),
-        tolerance_source: member
-            .item
-            .tolerance
-            .as_ref()
-            .map_or("", |tolerance| &tolerance.source),
     });
     assessed.why = why;
     if lifts_at_all && answers.shock != ShockAnswer::Unknown && member.item.cushion_source.is_some()
@@ -146,8 +141,7 @@ pub(super) fn assessment(
     assessed.rolled = rolled(context, trial);
     assessed.braked = braked;
     if assessed.rolled.is_some() {
-        let has_wall = member.item.surroundings.has_wall();
-        assessed.why.insert(0, Reason::Travels { has_wall });
+        assessed.why.insert(0, Reason::Travels);
     }
     let loose = assessed.rolled.and(assessed.braked);
     let loose = loose.map(|braked| super::braked::decide(&braked));
@@ -512,38 +506,23 @@ fn pulse_duration_s(trial: &Trial, axis: usize, body: &Body) -> f64 {
         .pulse_duration_s
 }
 
-fn missing(trial: &Trial) -> Vec<&'static str> {
+fn missing(trial: &Trial) -> Vec<Missing> {
     let item = trial.member.item;
+    let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
     if trial.subject.way.glides().is_some() {
-        let has_tolerance = item.tolerance.is_some() && trial.subject.capacity.is_some();
         let is_known = !has_tolerance || stop_is_known(trial);
-        let known = [
-            (has_tolerance, "tolerance"),
-            (is_known || item.mass_kg.is_some(), "mass"),
-            (
-                is_known || item.surroundings.wall_stiffness_n_m.is_some(),
-                "wall_stiffness",
-            ),
-        ];
-        return known
-            .into_iter()
-            .filter(|(is_known, _)| !is_known)
-            .map(|(_, name)| name)
-            .collect();
+        let has_stop = item.surroundings.wall_stiffness_n_m.is_some();
+        return unknown([
+            (has_tolerance, Missing::Tolerance),
+            (is_known || item.mass_kg.is_some(), Missing::Mass),
+            (is_known || has_stop, Missing::StopStiffness),
+        ]);
     }
-    let known = [
-        (
-            item.tolerance.is_some() && trial.subject.capacity.is_some(),
-            "tolerance",
-        ),
-        (item.mass_kg.is_some(), "mass"),
-        (item.cushion.is_some(), "cushion"),
-    ];
-    known
-        .into_iter()
-        .filter(|(is_known, _)| !is_known)
-        .map(|(_, name)| name)
-        .collect()
+    unknown([
+        (has_tolerance, Missing::Tolerance),
+        (item.mass_kg.is_some(), Missing::Mass),
+        (item.cushion.is_some(), Missing::Stiffness),
+    ])
 }
 
 /// What governs in a world, by the model with the larger demand.

@@ -2,7 +2,7 @@
 
 use freestand::decision::Side;
 
-use crate::reason::{NoPad, Reason};
+use crate::reason::{Missing, NoPad, Reason};
 use crate::result::{
     Answers, Criterion, Decision, FallsAnswer, ModelAnswers, Probability, ShockAnswer, TooMild,
 };
@@ -54,13 +54,12 @@ pub(super) struct Case<'a> {
     /// Whether the tolerance may decide.
     pub(super) decides: bool,
     pub(super) governing: Option<Criterion>,
-    /// What a comparison lacks: `tolerance`, `mass`, `cushion`.
-    pub(super) missing: &'a [&'static str],
+    /// What a comparison lacks.
+    pub(super) missing: &'a [Missing],
     /// Whether the softer pad passed that was looked for.
     pub(super) softer: Option<bool>,
     /// Why no softer pad was looked for.
     pub(super) beyond_pads: NoPad,
-    pub(super) tolerance_source: &'a str,
 }
 
 /// The decision and its reasons.
@@ -76,20 +75,20 @@ pub(super) fn decide(case: &Case) -> (Decision, Vec<Reason>) {
         return (Decision::Restrain, vec![falling]);
     }
     if !asks_shock {
-        let lacks_tolerance = case.missing.contains(&"tolerance");
+        let lacks_tolerance = case.missing.contains(&Missing::Tolerance);
         let only = Reason::OnlyFalling { lacks_tolerance };
         return (Decision::Leave, vec![falling, only]);
     }
     if shock == ShockAnswer::Unknown {
-        let missing = case.missing.iter().map(|one| (*one).to_owned());
-        let unknown = Reason::ShockUnknown(missing.collect());
+        let unknown = Reason::ShockUnknown(case.missing.to_vec());
         return (Decision::NoVerdict, vec![falling, unknown]);
     }
     let of_shock = Reason::Shock(case.governing);
     if !case.decides {
-        let source = case.tolerance_source.to_owned();
-        let unchecked = Reason::Unchecked { source };
-        return (Decision::NoVerdict, vec![falling, of_shock, unchecked]);
+        return (
+            Decision::NoVerdict,
+            vec![falling, of_shock, Reason::Unchecked],
+        );
     }
     let (decision, remedy) = match (shock, case.softer) {
         (ShockAnswer::Stands, _) => return (Decision::Leave, vec![falling, of_shock]),
@@ -155,7 +154,6 @@ mod tests {
             missing: &[],
             softer: None,
             beyond_pads: NoPad::NoPads,
-            tolerance_source: "a test",
         }
     }
 
@@ -199,7 +197,7 @@ mod tests {
             ..answers(Stays, ShockAnswer::Unknown)
         };
         let (decision, why) = decide(&Case {
-            missing: &["tolerance"],
+            missing: &[Missing::Tolerance],
             ..case(&only)
         });
         let lacks_tolerance = true;
@@ -271,8 +269,7 @@ mod tests {
             of(peak, true),
             (Decision::Restrain, Reason::NoPadHelps(NoPad::NoPads))
         );
-        let source = "a test".to_owned();
-        let unchecked = (Decision::NoVerdict, Reason::Unchecked { source });
+        let unchecked = (Decision::NoVerdict, Reason::Unchecked);
         assert_eq!(of(peak, false), unchecked);
     }
 

@@ -22,9 +22,9 @@ use super::respond::responses;
 use super::response::{AxisMotion, Lived, ModelResponse, PadMotion, terms};
 use super::slip::slips;
 use crate::capacity::Capacity;
+use crate::reason::Missing;
 use crate::result::{Criterion, TooMild};
 use crate::worlds::FloorOfWorld;
-use freestand_input::words::listed;
 use freestand_inventory::Item;
 use freestand_inventory::library::Tolerance;
 
@@ -94,7 +94,7 @@ impl Nominal {
         }
         let subject = Subject::new(item, settings).map_err(|missing| {
             let verb = if missing.len() == 1 { "is" } else { "are" };
-            format!("its {} {verb} not given", listed(&missing))
+            format!("its {} {verb} not given", Missing::listed(&missing))
         })?;
         let threshold =
             |axis: &AxisGeometry| RockingModel::Rigid.uplift_threshold_ratio(&axis.block);

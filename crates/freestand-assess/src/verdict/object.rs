@@ -14,7 +14,7 @@ use freestand::wall::{Wall, Walls};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
-use crate::reason::Flat;
+use crate::reason::{Flat, Missing, unknown};
 use crate::result::{Axis, TooMild};
 use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
 
@@ -352,9 +352,6 @@ impl Gliding {
     }
 }
 
-/// What an object lacks whose size is not believed, as [`Item::to_confirm`] says.
-const UNCONFIRMED: &str = "confirmation of its size";
-
 impl Subject {
     /// Whether it rocks: it neither rolls nor slides to a stop.
     pub(crate) fn rocks(&self) -> bool {
@@ -420,25 +417,20 @@ impl Subject {
         }
     }
 
-    /// The object, or the names of what is missing.
-    pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<&'static str>> {
+    /// The object, or what is not known of it.
+    pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<Missing>> {
         // A size that nobody would believe is none until a person has confirmed it.
         if !item.to_confirm.is_empty() {
-            return Err(vec![UNCONFIRMED]);
+            return Err(vec![Missing::Confirmation]);
         }
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {
-            let known = [
-                (item.level_ratio, "level"),
-                (item.height_m, "height"),
-                (item.thickness_m, "thickness"),
-            ];
-            return Err(known
-                .into_iter()
-                .filter(|(value, _)| value.is_none())
-                .map(|(_, name)| name)
-                .collect());
+            return Err(unknown([
+                (item.level_ratio.is_some(), Missing::Level),
+                (item.height_m.is_some(), Missing::Height),
+                (item.thickness_m.is_some(), Missing::Thickness),
+            ]));
         };
         let sides = [
             (Axis::Thickness, Some(thickness_m), item.base_thickness_m),
@@ -449,7 +441,7 @@ impl Subject {
             let Some(side_m) = side_m else { continue };
             // The reader of inventories has refused what is not a block.
             let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
-            axes.push(geometry.ok_or_else(|| vec!["valid geometry"])?);
+            axes.push(geometry.ok_or_else(|| vec![Missing::Geometry])?);
         }
         let body = item
             .mass_kg
@@ -511,8 +503,8 @@ pub(super) fn own_damping_ratio(cushion: &Cushion, mass_kg: f64) -> Option<f64> 
     }
 }
 
-/// What stands on an object, or the names of what is missing to follow both.
-fn upper(item: &Item) -> Result<Upper, Vec<&'static str>> {
+/// What stands on an object, or what is not known of both.
+fn upper(item: &Item) -> Result<Upper, Vec<Missing>> {
     match (item.surroundings.upper, item.mass_kg, &item.cushion) {
         (
             Some(UpperBody {
@@ -529,32 +521,22 @@ fn upper(item: &Item) -> Result<Upper, Vec<&'static str>> {
         }),
         (upper, mass_kg, cushion) => {
             let is_known = upper.is_some_and(|upper| upper.mass_kg.is_some());
-            let known = [
-                (mass_kg.is_some(), "mass"),
-                (cushion.is_some(), "stiffness"),
-                (is_known, "upper_mass"),
-            ];
-            Err(known
-                .into_iter()
-                .filter(|(is_known, _)| !is_known)
-                .map(|(_, name)| name)
-                .collect())
+            Err(unknown([
+                (mass_kg.is_some(), Missing::Mass),
+                (cushion.is_some(), Missing::Stiffness),
+                (is_known, Missing::UpperMass),
+            ]))
         }
     }
 }
 
 /// Why an object cannot move in three dimensions.
 fn flat(item: &Item, axes: &[AxisGeometry], beside: Option<Beside>) -> Option<Flat> {
-    let known = [
-        (item.mass_kg.is_some(), "mass"),
-        (item.cushion.is_some(), "stiffness"),
-        (item.width_m.is_some(), "width"),
-    ];
-    let missing: Vec<String> = known
-        .into_iter()
-        .filter(|(is_known, _)| !is_known)
-        .map(|(_, name)| name.to_owned())
-        .collect();
+    let missing = unknown([
+        (item.mass_kg.is_some(), Missing::Mass),
+        (item.cushion.is_some(), Missing::Stiffness),
+        (item.width_m.is_some(), Missing::Width),
+    ]);
     let neighbours = beside.map(|beside| Beside {
         wall_gap_m: None,
         ..beside

@@ -74,7 +74,7 @@ impl Tell for Assess {
         };
         let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
         let report = watched(printer, |progress| {
-            assess_telling(&study, &inventory, &out, &job, (progress, finished))
+            assess_telling(&study, &inventory, &out, &job, finished, progress)
         })?;
         print(&report, &out, &inventory, printer)?;
         if report.interrupted {

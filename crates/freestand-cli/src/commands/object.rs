@@ -42,7 +42,7 @@ impl Tell for Object {
         );
         let shown = one_object_shown(&object, &memory, follow.as_ref(), &|| stop.wanted());
         let (result, shown) = shown?;
-        let report = object_report(&object, result);
+        let report = object_report(result);
         if let Some((session, shown)) = session.zip(shown.as_ref()) {
             session.beside(shown);
         }

@@ -10,7 +10,7 @@ use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Restitution;
 
 use freestand_assess::capacity::Capacity;
-use freestand_assess::reason::{Note, Reason};
+use freestand_assess::reason::{Missing, Note, Reason};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
     Comparison, Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads,
@@ -254,7 +254,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         why: std::iter::once(Reason::Falling { lifts: true })
             .chain(
                 (decision == Decision::NoVerdict)
-                    .then(|| Reason::ShockUnknown(vec!["tolerance".to_owned()])),
+                    .then(|| Reason::ShockUnknown(vec![Missing::Tolerance])),
             )
             .collect(),
         tier: (index % 4) as u8,
@@ -470,9 +470,11 @@ pub(super) fn hostile_items() -> Vec<Item> {
 pub(super) fn unknown(item: &Item) -> Assessment {
     Assessment {
         decision: Decision::NoVerdict,
-        why: vec![Reason::NotGiven(
-            ["height", "thickness", "level"].map(str::to_owned).to_vec(),
-        )],
+        why: vec![Reason::NotGiven(vec![
+            Missing::Height,
+            Missing::Thickness,
+            Missing::Level,
+        ])],
         floor: None,
         response: None,
         shock: None,
@@ -512,13 +514,12 @@ pub(super) fn rows(inventory: &Inventory, assessed: usize) -> Vec<Row<'_>> {
                 assessment(item, index)
             };
             if item.notes.contains(HOSTILE[0]) {
-                let hostile = || HOSTILE.concat();
-                found.why = vec![Reason::Unchecked { source: hostile() }];
+                found.why = vec![Reason::Unchecked];
                 found.notes = vec![Note::Failed {
                     on_pads: false,
                     worlds: 1,
                     of: 1,
-                    why: hostile(),
+                    why: HOSTILE.concat(),
                 }];
                 found.comparisons = vec![Comparison::CodeFloor {
                     code_g: 1.0,

@@ -1,7 +1,7 @@
 //! Why an object has its decision, and what there is to know besides, in sentences.
 
 use freestand::decision::{Interval, Side};
-use freestand_assess::reason::{Flat, NoPad, Note, Reason, Slips, WithoutPads};
+use freestand_assess::reason::{Flat, Missing, NoPad, Note, Reason, Slips, WithoutPads};
 use freestand_assess::result::{
     Answers, Assessment, BeforeWall, Braked, Criterion, FallsAnswer, FewMotions, ModelAnswers,
     ObjectModel, PadOutcome, Probability, Ranked, Rolled, ShockAnswer, Softening, Stacked, TooMild,
@@ -34,10 +34,9 @@ fn joined(sentences: impl Iterator<Item = String>) -> String {
     all.join(" ")
 }
 
-fn were_not_given(missing: &[String]) -> String {
-    let names: Vec<&str> = missing.iter().map(String::as_str).collect();
-    let verb = if names.len() == 1 { "was" } else { "were" };
-    format!("{} {verb} not given", listed(&names))
+fn were_not_given(missing: &[Missing]) -> String {
+    let verb = if missing.len() == 1 { "was" } else { "were" };
+    format!("{} {verb} not given", Missing::listed(missing))
 }
 
 fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
@@ -50,9 +49,9 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
             "Nothing was assessed, because the {}.",
             were_not_given(missing)
         ),
-        Reason::Travels { has_wall } => found
-            .rolled
-            .map_or_else(String::new, |rolled| travels(found, &rolled, *has_wall)),
+        Reason::Travels => found.rolled.map_or_else(String::new, |rolled| {
+            travels(found, &rolled, item.surroundings.has_wall())
+        }),
         Reason::Falling { lifts } => of_answers(found, |answers| falling(found, answers, *lifts)),
         Reason::OnlyFalling { lacks_tolerance } => {
             let why = match lacks_tolerance {
@@ -66,8 +65,9 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
             were_not_given(missing)
         ),
         Reason::Shock(governing) => of_answers(found, |answers| shock(found, answers, *governing)),
-        Reason::Unchecked { source } => format!(
-            "But this tolerance was not checked against its source and cannot decide: confirm it. Its source: {source}."
+        Reason::Unchecked => format!(
+            "But this tolerance was not checked against its source and cannot decide: confirm it. Its source: {}.",
+            item.tolerance.as_ref().map_or("", |tolerance| &tolerance.source)
         ),
         Reason::SofterPad => found
             .softening
@@ -560,7 +560,7 @@ fn of_item(item: &Item) -> Vec<String> {
                 "Another object stands on it: both are followed on pads, as if its casters were held, which is the harder case."
             }
             _ => {
-                "Another object stands on it: both are followed on pads, which takes mass, stiffness and upper_mass."
+                "Another object stands on it: both are followed on pads, which needs both masses and the cushion."
             }
         };
         notes.push(note.to_owned());
@@ -622,9 +622,8 @@ fn of_note(note: &Note, found: &Assessment) -> String {
 fn flat_words(flat: &Flat) -> String {
     let why = match flat {
         Flat::Missing(missing) => {
-            let names: Vec<&str> = missing.iter().map(String::as_str).collect();
-            let verb = if names.len() == 1 { "is" } else { "are" };
-            format!("its {} {verb} not given", listed(&names))
+            let verb = if missing.len() == 1 { "is" } else { "are" };
+            format!("its {} {verb} not given", Missing::listed(missing))
         }
         Flat::NotUniform => {
             "its base or its centre of gravity is not that of a uniform block".to_owned()

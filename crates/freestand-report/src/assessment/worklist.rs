@@ -6,7 +6,7 @@ use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
 
 use freestand_assess::result::{Assessment, Decision, RestraintForce};
 use freestand_input::problem::Problem;
-use freestand_input::words::{listed, number};
+use freestand_input::words::number;
 use freestand_inventory::Item;
 use freestand_output::folder::OutputFolder;
 use freestand_output::paths::io_problem;
@@ -17,7 +17,7 @@ use super::floors::{FloorKey, floor_key, floor_words};
 use super::hold::how_to_hold;
 use super::reasons::why;
 use super::table::{Cell, Line};
-use freestand_assess::reason::Reason;
+use freestand_assess::reason::{Missing, Reason};
 
 /// The file's name.
 pub const WORKLIST_NAME: &str = "worklist.csv";
@@ -139,11 +139,10 @@ fn find_out(item: &Item, found: &Assessment) -> String {
     }
     let remedy = found.why.iter().find_map(|reason| match reason {
         Reason::NotGiven(missing) | Reason::ShockUnknown(missing) => {
-            let names: Vec<&str> = missing.iter().map(String::as_str).collect();
-            Some(format!("Find out its {}.", listed(&names)))
+            Some(format!("Find out its {}.", Missing::listed(missing)))
         }
         Reason::NoMotion => Some("Add a motion for its floor to the study.".to_owned()),
-        Reason::Unchecked { .. } => Some("Confirm its tolerance.".to_owned()),
+        Reason::Unchecked => Some("Confirm its tolerance.".to_owned()),
         Reason::Unstated(unstated) => Some(format!(
             "State {}: give {}.",
             unstated.words(),

@@ -56,9 +56,10 @@ pub struct ObjectReport {
     tally: Tally,
 }
 
-/// The answer to a request, from what became of its object.
-pub fn object_report(request: &ObjectRequest, result: ObjectResult) -> ObjectReport {
+/// The answer about an object, from what became of it.
+pub fn object_report(result: ObjectResult) -> ObjectReport {
     let ObjectResult {
+        request,
         study,
         earthquake,
         item,

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::{Job, Run, staged, written};
 use freestand_assess::key::resume_key;
 use freestand_assess::list::inventory_of;
-use freestand_assess::portfolio::{Assessed, Assessor, assess};
+use freestand_assess::portfolio::{Assessed, Assessor, Keep, assess};
 use freestand_assess::store::{Part, Store, part_size};
 use freestand_assess::two_spectra::refuse_outcomes;
 use freestand_input::file::sha256_hex;
@@ -133,12 +133,12 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     };
     let alternative = study.alternative();
     refuse_outcomes(plan.outcomes(), alternative.as_ref())?;
-    let mut assessor = Assessor::new(
-        (&study, plan.rows()),
-        (plan.outcomes().then_some(outcomes_rows), Some(&motions)),
-        &wants_to_stop,
-    )
-    .beside(alternative.as_ref());
+    let keep = Keep {
+        outcomes: plan.outcomes().then_some(outcomes_rows),
+        motions: Some(&motions),
+    };
+    let mut assessor =
+        Assessor::new(&study, plan.rows(), keep, &wants_to_stop).beside(alternative.as_ref());
     let mut failed = 0;
     for part in &parts {
         let done = part.rows.start - rows.start;
@@ -234,13 +234,11 @@ pub fn merge_shards(
     let folder = staged(&study, &inventory, target, &job)?;
     let motions = dir.join(MOTIONS);
     let store = Store::of_shards(&out)?;
-    let portfolio = assess(
-        &study,
-        &inventory,
-        (store, parts),
-        (job.outcomes.then_some(outcomes_rows), Some(&motions)),
-        (progress, None),
-    )?;
+    let keep = Keep {
+        outcomes: job.outcomes.then_some(outcomes_rows),
+        motions: Some(&motions),
+    };
+    let portfolio = assess(&study, &inventory, store, parts, keep, None, progress)?;
     if portfolio.interrupted {
         return Err(Problem::stopped().into());
     }
@@ -252,7 +250,7 @@ pub fn merge_shards(
         key: &key,
         motions: Some(&motions),
     };
-    let mut report = written(&run, (target, folder), portfolio, progress)?;
+    let mut report = written(&run, target, folder, portfolio, progress)?;
     // The shards did the work of this assessment.
     report.histories += histories;
     report.computed += std::mem::take(&mut report.resumed);

@@ -100,7 +100,7 @@ fn object(is_round: bool, (place, storeys): (&str, u16), worlds: Option<u32>) ->
         seed: None,
         units: UnitSystem::Si,
     };
-    object_report(&request, one_object(&request, &|| false).unwrap())
+    object_report(one_object(&request, &|| false).unwrap())
 }
 
 fn json(report: &ObjectReport) -> serde_json::Value {

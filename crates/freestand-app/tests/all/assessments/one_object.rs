@@ -41,7 +41,7 @@ fn request(object: Object, earthquake: Earthquake, floor: Floor) -> ObjectReques
 }
 
 fn answer(request: &ObjectRequest) -> ObjectReport {
-    object_report(request, one_object(request, &|| false).unwrap())
+    object_report(one_object(request, &|| false).unwrap())
 }
 
 fn place(name: &str) -> Earthquake {

@@ -369,8 +369,8 @@ fn what_is_missing_is_said() {
         );
     }
     for (id, missing) in [
-        ("light", "the upper_mass was not given"),
-        ("bare", "the mass and stiffness were not given"),
+        ("light", "the mass of what stands on it was not given"),
+        ("bare", "the mass and cushion were not given"),
     ] {
         assert_eq!(found[id]["decision"], "no-verdict", "{id}");
         assert!(

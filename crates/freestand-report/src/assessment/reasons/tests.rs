@@ -103,13 +103,12 @@ fn every_reason_in_words() {
         of: 320,
         friction_ratio: (0.2, 0.4),
     };
-    let names = |all: &[&str]| all.iter().map(|one| (*one).to_owned()).collect::<Vec<_>>();
     let reasons = [
         Reason::Anchored,
         Reason::NoMotion,
-        Reason::NotGiven(names(&["height"])),
-        Reason::NotGiven(names(&["level", "height", "thickness"])),
-        Reason::Travels { has_wall: false },
+        Reason::NotGiven(vec![Missing::Height]),
+        Reason::NotGiven(vec![Missing::Level, Missing::Height, Missing::Thickness]),
+        Reason::Travels,
         Reason::Falling { lifts: true },
         Reason::Falling { lifts: false },
         Reason::OnlyFalling {
@@ -118,12 +117,10 @@ fn every_reason_in_words() {
         Reason::OnlyFalling {
             lacks_tolerance: false,
         },
-        Reason::ShockUnknown(names(&["mass", "cushion"])),
+        Reason::ShockUnknown(vec![Missing::Mass, Missing::Stiffness]),
         Reason::Shock(Some(Criterion::Peak)),
         Reason::Shock(Some(Criterion::FloorAcceleration)),
-        Reason::Unchecked {
-            source: "a data sheet".to_owned(),
-        },
+        Reason::Unchecked,
         Reason::SofterPad,
         Reason::FloorTooStrong,
         Reason::StiffnessIsRange,
@@ -181,7 +178,7 @@ fn every_reason_in_words() {
         without(WithoutPads::BesideWall),
         without(WithoutPads::NotGiven),
         without(WithoutPads::NotFollowed),
-        Note::Flat(Flat::Missing(names(&["mass", "width"]))),
+        Note::Flat(Flat::Missing(vec![Missing::Mass, Missing::Width])),
         Note::Flat(Flat::NotUniform),
         Note::Flat(Flat::Neighbours),
         Note::Flat(Flat::Stack),
@@ -278,13 +275,15 @@ fn answers_and_pads_in_words() {
             number(high, 2)
         ));
     }
+    for wall_gap_m in [None, Some(0.1)] {
+        let mut beside = item.clone();
+        beside.surroundings.wall_gap_m = wall_gap_m;
+        let said = sentence(&Reason::Travels, &beside, &found);
+        told.push(format!("travels without a clearance\n  {said}"));
+    }
     let mut say = |name: &str, found: &Assessment, reason: Reason| {
         told.push(format!("{name}\n  {}", sentence(&reason, &item, found)));
     };
-    for has_wall in [false, true] {
-        let reason = Reason::Travels { has_wall };
-        say("travels without a clearance", &found, reason);
-    }
     for criterion in [
         Criterion::DamageBoundary,
         Criterion::VelocityChange,
