@@ -49,7 +49,7 @@ use trial::Trial;
 pub(crate) use comparisons::restraint_of;
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
-pub use nominal::{Nominal, NominalRun};
+pub use nominal::{NoShockLimits, Nominal, NominalRun, NotFollowed};
 pub(crate) use object::Subject;
 pub use object::middle;
 pub use outcomes::{OutcomeRow, WriteOutcomes};

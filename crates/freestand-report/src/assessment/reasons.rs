@@ -12,6 +12,8 @@ use freestand_input::words::{counted, listed, number, percent_words as percent, 
 use freestand_inventory::{Casters, Item, Surroundings};
 use freestand_study::study::Unstated;
 
+use super::words::too_mild;
+
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
 const FALLS_WITH_FRICTION: [(f64, f64); 2] = [(0.3, 0.8), (0.5, 1.05)];
@@ -206,7 +208,7 @@ fn mild(why: TooMild, found: &Assessment, answers: &Answers, p: Probability) -> 
         counted(answers.worlds as usize, "world"),
         percent(found.accepted_ratio),
     );
-    let (is, chance) = (why.words(), spread(p));
+    let (is, chance) = (too_mild(why), spread(p));
     if answers.falls == FallsAnswer::Falls {
         return format!(
             "It is {is}. In that calculation it falls in {chance} of {worlds}, more than the accepted {limit}; the \

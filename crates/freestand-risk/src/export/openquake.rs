@@ -11,7 +11,7 @@ use serde_json::json;
 use crate::costs::CostRow;
 use crate::fragility::{AVERAGE_KEY, At, FragilityReport, Measure, MeasuredHazard};
 
-use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
+use super::{ExportDoubt, ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
 /// Years of the damage that the classical job states.
 const RISK_YEARS: u32 = 50;
@@ -114,27 +114,22 @@ fn replacement(object: &ExportObject) -> Option<f64> {
 
 /// What an object without a replacement cost is worth in the column of values, which is required: 1
 /// where no object has any cost, so that the values count objects. Beside costs in a currency 1
-/// would be an amount of it, so that it is 0, with a warning.
-fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
+/// would be an amount of it, so that it is 0, with a doubt.
+fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<ExportDoubt>) {
     if !objects
         .iter()
         .any(|object| object.cost.is_some_and(CostRow::has_costs))
     {
         return (1.0, None);
     }
-    let without: Vec<&ExportObject> = objects
+    let without = objects
         .iter()
-        .filter(|object| replacement(object).is_none())
-        .collect();
-    let warning = without.split_first().map(|(first, rest)| {
-        let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
-        format!(
-            "{}{more}: no replacement_cost in the inventory, so exposure.csv has the value 0 and OpenQuake counts \
-             no loss",
-            shorten(&first.object.id)
-        )
-    });
-    (0.0, warning)
+        .filter(|object| replacement(object).is_none());
+    let ids: Vec<String> = without.map(|object| object.object.id.clone()).collect();
+    (
+        0.0,
+        (!ids.is_empty()).then_some(ExportDoubt::NoReplacement(ids)),
+    )
 }
 
 /// Where an object is \[degrees\].
@@ -279,7 +274,7 @@ pub(super) fn files(
     listed: &Listed,
     demand: Option<f64>,
     hazard: Option<&MeasuredHazard>,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<ExportDoubt>,
 ) -> Result<Files, Problem> {
     let (imt, factor) = imt_of(report.table.measure, report.at)?;
     if demand.is_none() && hazard.is_none() {
@@ -294,8 +289,8 @@ pub(super) fn files(
     hazard.map_or(Ok(()), |hazard| {
         hazard.check(report.table.measure, report.at)
     })?;
-    let (unpriced, warning) = value_without_cost(listed.objects);
-    warnings.extend(warning);
+    let (unpriced, doubt) = value_without_cost(listed.objects);
+    doubts.extend(doubt);
     let mut functions = String::new();
     let (mut assets, mut sites) = (Vec::new(), Vec::new());
     for object in listed.objects {

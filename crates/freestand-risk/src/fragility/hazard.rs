@@ -12,6 +12,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, shortest};
 use freestand_output::{answer, answer_of};
 
+use super::doubt::HazardDoubt;
 use super::table::{Row, RowProblems, Table};
 use super::{At, Measure, measure_of};
 
@@ -79,16 +80,18 @@ pub struct MeasuredHazard {
     /// Whether coordinates choose one of its sites.
     pub has_sites: bool,
     /// What to know beside it.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<HazardDoubt>,
 }
 
 impl MeasuredHazard {
-    /// What is said of coordinates that are for it alone, and choose none of its sites.
-    pub(crate) fn site_doubt(&self, site_deg: Option<(f64, f64)>) -> Option<String> {
+    /// What to know beside it, with coordinates that are for it alone.
+    pub(crate) fn doubts_at(
+        &self,
+        site_deg: Option<(f64, f64)>,
+    ) -> impl Iterator<Item = HazardDoubt> {
         let is_idle = site_deg.is_some() && !self.has_sites;
-        is_idle.then(|| {
-            "`site_coordinates` has no effect: the file of the hazard curve has no sites".to_owned()
-        })
+        let idle = is_idle.then_some(HazardDoubt::IdleSite);
+        idle.into_iter().chain(self.doubts.iter().copied())
     }
 
     /// Refuses a hazard of another measure than that of outcomes.
@@ -197,7 +200,7 @@ pub(crate) fn hazard_of(
                 at,
                 file: None,
                 has_sites: false,
-                warnings: Vec::new(),
+                doubts: Vec::new(),
             })
         }
         HazardSource::Code {
@@ -268,7 +271,7 @@ fn from_file(
         at: place.of(measure)?,
         file,
         has_sites: false,
-        warnings: Vec::new(),
+        doubts: Vec::new(),
     })
 }
 
@@ -455,26 +458,20 @@ fn openquake(
             "export the curve with weaker or stronger intensities, or a shorter investigation time";
         return Err(table.row_problem(row, message).hint(hint).into());
     }
-    let left_out = |count: usize, why: &str| {
-        (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")))
-    };
-    let warnings = [
-        left_out(certain, "the probability is 1, so the rate is not known"),
-        left_out(
-            equal,
-            "the next, stronger intensity has the same probability",
-        ),
-    ];
     let hazard =
         Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
-    let warnings = warnings.into_iter().flatten().collect();
+    let doubts = [
+        (certain, HazardDoubt::CertainPoints(certain)),
+        (equal, HazardDoubt::EqualPoints(equal)),
+    ];
+    let doubts = doubts.into_iter().filter(|(count, _)| *count > 0);
     Ok(MeasuredHazard {
         hazard,
         measure,
         at: place.of(measure)?,
         file: None,
         has_sites: true,
-        warnings,
+        doubts: doubts.map(|(_, doubt)| doubt).collect(),
     })
 }
 
@@ -644,18 +641,13 @@ fn of_code(
     let hazard = Hazard::points(points.collect()).map_err(|error| {
         Problem::value(error.to_string(), "give a hazard factor above 0").named("hazard_factor")
     })?;
-    let warnings = vec![
-        "the rates are those of design accelerations of a code, without its minimum and maximum: they are not a hazard \
-         study of the site"
-            .to_owned(),
-    ];
     Ok(MeasuredHazard {
         hazard,
         measure,
         at: At::Ground,
         file: None,
         has_sites: false,
-        warnings,
+        doubts: vec![HazardDoubt::DesignAccelerations],
     })
 }
 

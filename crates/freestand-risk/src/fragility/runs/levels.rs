@@ -152,12 +152,13 @@ pub(super) const ROUNDS: usize = 12;
 
 /// What was added to the intensities of stripes for a hazard.
 #[derive(Debug)]
-pub(super) struct Added {
-    pub(super) hazard: MeasuredHazard,
+pub struct Added {
+    /// That hazard.
+    pub hazard: MeasuredHazard,
     /// How many intensities.
-    pub(super) count: usize,
+    pub count: usize,
     /// Ids of objects of whose rates the runs still leave much open.
-    pub(super) open_ids: Vec<String>,
+    pub open_ids: Vec<String>,
 }
 
 /// The hazard for which intensities are added.

@@ -5,7 +5,6 @@
 //! their outcomes in the form that the fit reads, `quality` how well each measure predicts the outcome,
 //! `report` the result.
 
-mod answer;
 mod changed;
 mod follow;
 mod kept;
@@ -37,21 +36,20 @@ use super::{FitMethod, FragilityRequest, ShockLimits, TWO_STAGE, check_replicate
 use changed::changed_item;
 use follow::GoOn;
 use freestand_assess::store::Store;
-use freestand_assess::verdict::Nominal;
+use freestand_assess::verdict::{NoShockLimits, Nominal};
 use freestand_inventory::Item;
-use levels::Added;
-use report::LeftOut;
 use request::{DOUBTFUL_SCALE, MAX_MEASURES};
-use shaking::{FloorShaking, RatioFactors};
+use shaking::RatioFactors;
 
 pub use changed::{Change, ChangedObject};
 pub use follow::Followed;
-pub use report::RunsReport;
+pub use levels::Added;
+pub use report::{LeftOut, RunsDoubt, RunsReport};
 pub use request::{
     DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects,
-    RunsRequest, StudyTold, measures, scales,
+    RunsRequest, measures, scales,
 };
-pub use shaking::{DEFAULT_WORLDS, FloorMotion};
+pub use shaking::{DEFAULT_WORLDS, FloorMotion, FloorShaking};
 pub use table::file_name;
 
 /// One object and its runs.
@@ -115,7 +113,7 @@ pub fn fragility_of_runs(
         .map(|hazard| work.add_levels(&mut asked, &mut objects, hazard))
         .transpose()?;
     fit(
-        &asked,
+        asked,
         measures,
         Prepared {
             objects,
@@ -308,7 +306,7 @@ fn missing() -> Problems {
 
 /// Fits the outcomes by each measure.
 fn fit(
-    request: &RunsRequest,
+    request: RunsRequest,
     measures: Vec<(Measure, At)>,
     Prepared {
         objects,
@@ -319,29 +317,13 @@ fn fit(
     progress: Progress,
 ) -> Result<RunsReport, Problems> {
     let mut report = RunsReport {
+        request,
         reports: Vec::new(),
         outcomes: Vec::new(),
-        warnings: Vec::new(),
-        method: request.method,
-        max_scale_ratio: request.max_scale_ratio,
-        scales: request.scales.clone(),
-        rotation_ratio: request.rotation_ratio,
-        fit: request.fit,
+        added,
         objects,
         floors,
         left_out,
-        inputs: request
-            .inputs
-            .iter()
-            .chain(added.iter().filter_map(|one| one.hazard.file.as_ref()))
-            .cloned()
-            .collect(),
-        added,
-        seed: request.seed,
-        study: match &request.objects {
-            RunObjects::Listed { told, .. } => Some(told.clone()),
-            RunObjects::Given(_) => None,
-        },
     };
     for (place, (measure, at)) in measures.iter().enumerate() {
         super::go_on(progress)?;
@@ -352,6 +334,7 @@ fn fit(
         let file = InputFile::new(Path::new(&name), outcomes.as_ref());
         let runs = lines.iter().map(|line| line.run);
         let table = OutcomeTable::of_runs(file, *measure, runs, progress)?;
+        let request = &report.request;
         let limits = shock_limits(request.fit, &report.objects, &table);
         let fits = FragilityRequest {
             outcomes: PathBuf::from(name),
@@ -380,7 +363,7 @@ fn fit(
             );
             object.scaled_above_4 = Some(runs.marked());
             object.qualities = quality::qualities(
-                request.method,
+                report.request.method,
                 object,
                 runs,
                 shakings,
@@ -389,18 +372,6 @@ fn fit(
         }
         report.reports.push(found);
         report.outcomes.push(outcomes);
-    }
-    report.warnings = report.all_warnings();
-    if let Some(Added { hazard, .. }) = &report.added {
-        let site_deg = request.site_deg.filter(|_| !request.site_is_exported);
-        report.warnings.extend(hazard.site_doubt(site_deg));
-        report.warnings.extend(hazard.warnings.iter().cloned());
-    }
-    if let RunObjects::Given(object) = &request.objects {
-        report.warnings.extend(Sizes::of(&object.block).doubts());
-        let body = object.body.iter();
-        let doubts = body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg));
-        report.warnings.extend(doubts);
     }
     Ok(report)
 }
@@ -678,10 +649,10 @@ impl ObjectRuns {
     /// What a fit of its shocks needs.
     ///
     /// # Errors
-    /// Why the shocks cannot be fitted, in words.
-    fn shock_limits(&self) -> Result<ShockLimits, &'static str> {
+    /// Why the shocks cannot be fitted.
+    fn shock_limits(&self) -> Result<ShockLimits, NoShockLimits> {
         if self.limits_rotation {
-            return Err("its tolerance also limits the rotation");
+            return Err(NoShockLimits::LimitsRotation);
         }
         let (tolerance_g, ceiling_g) = self.nominal.shock_limits()?;
         Ok(ShockLimits {

@@ -201,36 +201,7 @@ pub enum RunObjects {
         worlds: Option<u32>,
         /// Objects of the list that are run as options change them, too.
         changed: Vec<ChangedObject>,
-        /// What is told of the study and the list.
-        told: Arc<StudyTold>,
     },
-}
-
-/// What is told of the study of runs, and of their list.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct StudyTold {
-    /// The sentence that says whose building this is, where no study was given.
-    pub no_study: Option<String>,
-    /// What nobody stated of the place and the building, and of the objects.
-    pub assumed: Vec<String>,
-    /// Whether nobody stated the place, or the hazard in another way.
-    pub place_is_assumed: bool,
-    /// Whether nobody stated the building.
-    pub building_is_assumed: bool,
-    /// The place whose hazard was used.
-    pub place_name: Option<String>,
-    /// What the study calls the building.
-    pub building_name: Option<String>,
-    /// The hazard in words.
-    pub hazard: Option<String>,
-    /// The building in words.
-    pub building: String,
-    /// Place and building in words.
-    pub place: String,
-    /// The study as TOML.
-    pub toml: String,
-    /// The problems of the list, and other warnings.
-    pub warnings: Vec<String>,
 }
 
 /// The id of an object that is given by its numbers.

@@ -9,6 +9,7 @@ use freestand::motion::Motion;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
+use freestand_output::answer_of;
 use freestand_study::study::{Ground, Study};
 use rayon::prelude::*;
 
@@ -107,7 +108,7 @@ impl RatioFactors {
 
 /// A motion of a floor with the motion of the ground under it.
 #[derive(Debug, Clone)]
-pub(super) struct FloorShaking {
+pub struct FloorShaking {
     pub(super) name: String,
     /// Its place among the motions of the floor.
     pub(super) number: u32,
@@ -160,6 +161,13 @@ impl FloorShaking {
         }
     }
 }
+
+answer_of!(FloorShaking as motion {
+    name: String = motion.name.clone();
+    /// PGV over PGA of the floor.
+    floor_velocity_over_acceleration_s: f64 = motion.at_floor.velocity_over_acceleration_s();
+    floor_mean_period_s: Option<f64> = motion.at_floor.mean_period_s;
+});
 
 /// Motions of one floor that the user gave; `is_ground`: the object is on the ground.
 pub(super) fn given(

@@ -3,7 +3,7 @@
 use freestand::fragility::{OutcomeClass, level_weights};
 use freestand_input::formula::guarded;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{name_of, shortest};
+use freestand_input::words::shortest;
 use freestand_output::rows::{csv_writer, table_of_csv};
 use freestand_output::table::Table;
 use freestand_study::run::Progress;
@@ -15,7 +15,7 @@ use super::super::outcomes::{RunRow, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
 use super::{Method, ObjectRuns, RunsReport};
-use freestand_inventory::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TooMild;
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
 /// `outcomes_sa_0.5.csv` by another one.
@@ -56,9 +56,10 @@ pub(super) fn lines<'a>(
     (measure, place, at): (Measure, usize, At),
     progress: Progress,
 ) -> Result<Vec<Line<'a>>, Problem> {
-    let is_weighted = report.method == Method::Incremental && report.scales.is_none();
-    let is_of_stripes = report.method == Method::Stripes && place == 0;
-    let scales = report.scales.as_deref().filter(|_| is_of_stripes);
+    let is_weighted =
+        report.request.method == Method::Incremental && report.request.scales.is_none();
+    let is_of_stripes = report.request.method == Method::Stripes && place == 0;
+    let scales = report.request.scales.as_deref().filter(|_| is_of_stripes);
     let levels = Levels::new(scales.unwrap_or_default());
     let mut lines = Vec::new();
     for one in &report.objects {
@@ -158,9 +159,7 @@ pub(super) fn outcomes(
             text(run.rotation_ratio),
             text(run.uplift),
             guarded(run.reason).into_owned(),
-            run.caution
-                .map_or("", |why| name_of(TOO_MILD, why))
-                .to_owned(),
+            run.caution.map_or("", TooMild::name).to_owned(),
         ];
         writer
             .write_record(&record)
