@@ -125,8 +125,8 @@ fn fit_doubt(doubt: &FitDoubt) -> String {
             state.name()
         ),
         FitDoubt::OnlyBounds(state) => format!(
-            "at one level alone some runs reach {} and some do not, so only its bounds are known: run more \
-             levels or motions",
+            "at one intensity alone some runs reach {} and some do not, so only its bounds are known: run more \
+             intensities or motions",
             state.name()
         ),
         FitDoubt::NoInterval { state, why } => format!(
@@ -139,7 +139,8 @@ fn fit_doubt(doubt: &FitDoubt) -> String {
             counted(*motions, "motion")
         ),
         FitDoubt::FailedSamples { failed, samples } => format!(
-            "{failed} of {samples} samples have no curve, so the intervals are doubtful: run more motions or levels"
+            "{failed} of {samples} samples have no curve, so the intervals are doubtful: run more motions or \
+             intensities"
         ),
     }
 }
@@ -148,7 +149,9 @@ fn fit_doubt(doubt: &FitDoubt) -> String {
 pub(super) fn why_no_interval(why: NoInterval) -> String {
     match why {
         NoInterval::FewCurves { known, samples } => {
-            format!("only {known} of {samples} samples have a curve: run more motions or levels")
+            format!(
+                "only {known} of {samples} samples have a curve: run more motions or intensities"
+            )
         }
         NoInterval::AllEqual => "all samples have the same curve: run more motions".to_owned(),
     }

@@ -247,10 +247,13 @@ fn doubt(doubt: &RunsDoubt) -> String {
             scale_ratio,
             scaled,
             runs,
-        } => format!(
-            "{scaled} of {} use a motion scaled by more than {scale_ratio}: see the column scale of outcomes.csv",
-            counted(*runs, "run")
-        ),
+        } => {
+            let uses = if *scaled == 1 { "uses" } else { "use" };
+            format!(
+                "{scaled} of {} {uses} a motion scaled by more than {scale_ratio}: see the column scale of outcomes.csv",
+                counted(*runs, "run")
+            )
+        }
         RunsDoubt::StillOpen { ids, most_added } => format!(
             "more than a tenth of a rate of {} is still between two intensities of the runs, or below or above \
              all of them: at most {most_added} are added, and none beyond the largest scale; such rates are only \
@@ -382,6 +385,11 @@ mod tests {
             RunsDoubt::LeftOut(objects.to_vec()),
             RunsDoubt::LacksShock(1),
             RunsDoubt::LacksShock(2),
+            RunsDoubt::ScaledFar {
+                scale_ratio: 4.0,
+                scaled: 1,
+                runs: 40,
+            },
             RunsDoubt::ScaledFar {
                 scale_ratio: 4.0,
                 scaled: 3,

@@ -10,10 +10,6 @@ use freestand_risk::fragility::{Measure, MeasuredHazard};
 use super::words::why_unjudged;
 use crate::fragility::doubts::{cost_doubt, curve_doubts, hazard_doubt};
 
-/// What to do where a rate has no upper bound.
-const REMEDY: &str =
-    "run it under more and weaker motions, or give a hazard curve that begins at a lower intensity";
-
 /// What to know beside the result.
 pub fn warnings(report: &RiskReport) -> Vec<String> {
     let measure = report.hazard.measure;
@@ -89,7 +85,7 @@ fn sentence(doubt: &Doubt, measure: Measure) -> String {
         Doubt::BeginsTooHigh { first: begin, ids } => format!(
             "the hazard curve begins at {}, but weaker motions also reach limit states of {}: their rates are at \
              least those stated; give a hazard curve that begins at a lower intensity",
-            measure.value_words(*begin),
+            intensity(measure, *begin),
             first(ids)
         ),
         Doubt::EndsTooLow { last, share, ids } => format!(
@@ -122,15 +118,28 @@ fn sentence(doubt: &Doubt, measure: Measure) -> String {
             first(ids),
             why_unjudged(*why)
         ),
-        Doubt::UnknownWorth(options) => format!(
-            "the worth of the option {} is not known: a rate with the option has no upper bound, so the option is \
-             ranked last and is not chosen; {REMEDY}",
-            named(options)
-        ),
-        Doubt::UnknownFalls(options) => format!(
-            "how many falls the option {} avoids is not known, so it is not chosen for the sake of people; {REMEDY}",
-            named(options)
-        ),
+        Doubt::UnknownWorth(options) => {
+            let (with, ranked) = match options.more {
+                0 => ("the option", "the option is ranked last and is"),
+                _ => ("each of them", "they are ranked last and are"),
+            };
+            format!(
+                "the worth of {} is not known: a rate with {with} has no upper bound, so {ranked} not chosen; {}",
+                named(options),
+                remedy(options)
+            )
+        }
+        Doubt::UnknownFalls(options) => {
+            let (avoid, they) = match options.more {
+                0 => ("avoids", "it is"),
+                _ => ("avoid", "they are"),
+            };
+            format!(
+                "how many falls {} {avoid} is not known, so {they} not chosen for the sake of people; {}",
+                named(options),
+                remedy(options)
+            )
+        }
         Doubt::NoPortfolio(why) => format!(
             "{}: the losses of all objects together were not calculated",
             no_portfolio(*why, measure)
@@ -194,11 +203,23 @@ fn not_resolved(gap: Gap, ids: &[String], measure: Measure) -> String {
 }
 
 fn named(OpenOptions { option, id, more }: &OpenOptions) -> String {
-    let more = match more {
-        0 => String::new(),
-        more => format!(" and {more} more"),
+    let (one, more) = match more {
+        0 => ("option", String::new()),
+        more => ("options", format!(" and {more} more")),
     };
-    format!("\"{}\" for {}{more}", shorten(option), shorten(id))
+    format!(
+        "the {one} \"{}\" for {}{more}",
+        shorten(option),
+        shorten(id)
+    )
+}
+
+/// What to do where a rate has no upper bound.
+fn remedy(options: &OpenOptions) -> String {
+    let it = if options.more == 0 { "it" } else { "them" };
+    format!(
+        "run {it} under more and weaker motions, or give a hazard curve that begins at a lower intensity"
+    )
 }
 
 fn no_portfolio(why: NoPortfolio, measure: Measure) -> String {

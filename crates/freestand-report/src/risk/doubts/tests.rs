@@ -107,6 +107,8 @@ fn every_doubt_in_words() {
     }));
     doubts.extend([
         Doubt::UnknownWorth(options(0)),
+        Doubt::UnknownWorth(options(2)),
+        Doubt::UnknownFalls(options(0)),
         Doubt::UnknownFalls(options(2)),
     ]);
     doubts.extend(without.map(Doubt::NoPortfolio));
