@@ -10,7 +10,7 @@ use freestand_app::risk::{Risk, SCHEMA as RISK};
 use freestand_input::problem::Problem;
 use freestand_report::fragility::{self as of_fragility, FragilityAnswer};
 use freestand_report::risk::{self as of_risk, RiskAnswer};
-use freestand_risk::fragility::fragility_watched as fitted;
+use freestand_risk::fragility::fragility as fitted;
 use freestand_risk::risk as calculated;
 use freestand_study::run::Step;
 use pyo3::prelude::*;

@@ -68,23 +68,23 @@ pub struct CostRow {
     /// How many objects it stands for.
     pub quantity: f64,
     /// Whether the list states it; else it is 1.
-    pub has_quantity: bool,
+    pub(crate) has_quantity: bool,
     /// Cost of a repair after its tolerance was exceeded.
     pub repair: Option<f64>,
     /// Cost of another one after it overturned.
     pub replacement: Option<f64>,
     /// Days without it after it overturned.
-    pub downtime_days: Option<f64>,
+    pub(crate) downtime_days: Option<f64>,
     /// Cost of a day without it.
-    pub downtime_cost: Option<f64>,
+    pub(crate) downtime_cost: Option<f64>,
     /// Probability of a casualty where it overturns.
     pub casualty_probability: Option<f64>,
     /// Cost of a casualty.
-    pub casualty_cost: Option<f64>,
+    pub(crate) casualty_cost: Option<f64>,
     /// Accepted rate of overturning \[1/year\].
-    pub accepted_rate: Option<f64>,
+    pub(crate) accepted_rate: Option<f64>,
     /// Accepted rate of exceeding its tolerance \[1/year\].
-    pub accepted_exceed_rate: Option<f64>,
+    pub(crate) accepted_exceed_rate: Option<f64>,
     /// What it is.
     pub item: String,
     /// Its building.
@@ -103,7 +103,7 @@ pub struct CostRow {
 
 impl CostRow {
     /// Cost of overturning of one object.
-    pub fn overturned(&self) -> f64 {
+    pub(crate) fn overturned(&self) -> f64 {
         let product = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| a * b);
         self.replacement.unwrap_or(0.0)
             + product(self.downtime_days, self.downtime_cost)
@@ -111,7 +111,7 @@ impl CostRow {
     }
 
     /// Whether any cost is known.
-    pub fn has_costs(&self) -> bool {
+    pub(crate) fn has_costs(&self) -> bool {
         self.repair.is_some()
             || self.replacement.is_some()
             || self.downtime_days.zip(self.downtime_cost).is_some()
@@ -119,7 +119,7 @@ impl CostRow {
     }
 
     /// Amounts that were not given.
-    pub fn not_counted(&self) -> Vec<NotCounted> {
+    pub(crate) fn not_counted(&self) -> Vec<NotCounted> {
         let has_downtime = self.downtime_days.zip(self.downtime_cost).is_some();
         let has_casualties = self.casualty_probability.zip(self.casualty_cost).is_some();
         let parts = [
@@ -166,15 +166,15 @@ impl NotCounted {
 
 /// The costs of an inventory.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Costs {
+pub(crate) struct Costs {
     /// The file.
     pub file: InputFile,
     /// The currency of all costs.
-    pub currency: Option<String>,
+    pub(crate) currency: Option<String>,
     /// One for each object.
     pub rows: Vec<CostRow>,
     /// Objects whose runs would be too mild, by what a list says of them.
-    pub too_mild: Vec<(String, TooMild)>,
+    pub(crate) too_mild: Vec<(String, TooMild)>,
     /// What to know beside them.
     pub doubts: Vec<CostDoubt>,
 }
@@ -287,7 +287,7 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 ///
 /// # Errors
 /// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
-pub fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
+pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
     let bytes = load(path)?;
     let file = InputFile::new(path, &bytes);
     if !list.is_given() && is_table(&bytes, path) {
@@ -584,7 +584,7 @@ fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
 
 /// How an option changes the curves of an object.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Effect {
+pub(crate) enum Effect {
     /// All medians are multiplied.
     MedianFactor(f64),
     /// Other curves, such as those of the object that `freestand fragility --options` changed.
@@ -593,7 +593,7 @@ pub enum Effect {
 
 /// An option for one object: a pad, a strap, an anchor.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OptionRow {
+pub(crate) struct OptionRow {
     /// Identifier of the object.
     pub id: String,
     /// Its line in the file, from 1.
@@ -603,14 +603,14 @@ pub struct OptionRow {
     /// What it costs once.
     pub cost: f64,
     /// After how long it is renewed \[years\]; `None`: never.
-    pub life_years: Option<f64>,
+    pub(crate) life_years: Option<f64>,
     /// What it changes.
     pub effect: Effect,
 }
 
 /// The options of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Options {
+pub(crate) struct Options {
     /// The file.
     pub file: InputFile,
     /// One for each object and option.
@@ -627,7 +627,7 @@ pub struct Options {
 /// # Errors
 /// Another currency; every row with no effect or more than one, with an option that appears twice,
 /// or with a changed object without curves.
-pub fn load_options(
+pub(crate) fn load_options(
     path: &Path,
     currency: Option<&str>,
     curves: &[ObjectCurves],
@@ -704,7 +704,7 @@ fn read_options(
     let ((id, option), cost) = problems.finish(id.zip(option).zip(cost))?;
     let (mut known, mut files, mut named) = (HashMap::new(), CurveFiles::new(), Vec::new());
     let rows = table.each_row(rows, |row, problems| {
-        let names = problems.keep(names_of(&table, row, (id, option), &mut known));
+        let names = problems.keep(names_of(&table, row, id, option, &mut known));
         let cost = problems.keep(table.non_negative(row, cost));
         let life_years = problems.keep(positive_of(&table, row, "life"));
         let change = problems.keep(change_of(&table, row));
@@ -771,7 +771,8 @@ fn read_options(
 fn names_of(
     table: &Table,
     row: &Row,
-    (id, option): (usize, usize),
+    id: usize,
+    option: usize,
     known: &mut HashMap<(String, String), usize>,
 ) -> Result<(String, String), Problem> {
     let names = (
@@ -794,7 +795,7 @@ fn names_of(
 }
 
 /// The id of the curves of an object with an option.
-pub fn curve_id(id: &str, option: &str) -> String {
+pub(crate) fn curve_id(id: &str, option: &str) -> String {
     format!("{id}/{option}")
 }
 

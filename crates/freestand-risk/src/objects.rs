@@ -14,7 +14,7 @@ use super::costs::{CostRow, Effect, NotCounted};
 use super::rates::{Open, StateRates, least_fall, object_rates};
 
 /// The states whose curves enter a loss.
-pub const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
+pub(crate) const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
 
 /// Whether an object fails more often than accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
@@ -178,7 +178,7 @@ pub struct ObjectRisk {
 
 impl ObjectRisk {
     /// From its fragility, its costs and the hazard.
-    pub fn new(
+    pub(crate) fn new(
         curves: &ObjectCurves,
         fit: Option<&ObjectFragility>,
         cost: Option<&CostRow>,
@@ -504,7 +504,7 @@ impl LossBounds {
 
 /// What an option leaves of the loss of an object, and what it avoids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Avoided {
+pub(crate) struct Avoided {
     /// Expected annual loss with the option.
     pub after: LossBounds,
     /// The least annual loss that the option avoids; `None` where nothing bounds the loss with it.
@@ -609,7 +609,7 @@ fn loss_between(
 
 /// Expected annual loss of an object. A rate that is not known counts with the least and with the most
 /// that it can be.
-pub fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
+pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
     let rates = loss_rates(curves, 1.0, hazard);
     loss_between(
         rates.map(|rates| rates.map(ends_of)),
@@ -631,7 +631,12 @@ pub fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBo
 /// Motions below the first point of the hazard count neither without the option nor with it, unless
 /// they would add more to the rate with it: the difference is then a loss that it causes. A step
 /// counts in the middle of its ends, as everywhere.
-pub fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> Avoided {
+pub(crate) fn avoided(
+    curves: &ObjectCurves,
+    effect: &Effect,
+    cost: &CostRow,
+    hazard: &Hazard,
+) -> Avoided {
     let before = loss_of(curves, cost, hazard);
     let without = loss_rates(curves, 1.0, hazard);
     let (changed, factor) = match effect {

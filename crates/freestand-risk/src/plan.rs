@@ -153,7 +153,7 @@ answer! {
 }
 
 /// What every option is worth, and the plan within the budget.
-pub fn measures(
+pub(crate) fn measures(
     request: &RiskRequest,
     options: &[OptionRow],
     objects: &[ObjectRisk],

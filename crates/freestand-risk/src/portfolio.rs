@@ -97,7 +97,7 @@ struct Worlds {
 ///
 /// # Errors
 /// A run that is missing, and intensities that the hazard does not tell apart.
-pub fn portfolio(
+pub(crate) fn portfolio(
     report: &FragilityReport,
     costs: &Costs,
     objects: &[ObjectRisk],

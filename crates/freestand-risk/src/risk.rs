@@ -17,7 +17,7 @@ use crate::doubts::{
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
     CurveDoubt, FragilityReport, HazardPlace, ObjectCurves, ObjectFragility, cautions,
-    contradictions, fragility_watched, go_on, hazard_of, load_curves,
+    contradictions, fragility, go_on, hazard_of, load_curves,
 };
 use crate::objects::ObjectRisk;
 use crate::plan::Measures;
@@ -51,7 +51,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             curves
         }
         RiskCurves::Outcomes(outcomes) => {
-            let report = fragility_watched(outcomes.clone(), progress)?;
+            let report = fragility(outcomes.clone(), progress)?;
             doubts.push(Doubt::Curves(report.doubts()));
             inputs.push(report.table.file.clone());
             let curves = report

@@ -6,7 +6,7 @@ use freestand_output::json::document;
 use freestand_report::figures::curves_figure;
 use freestand_report::fragility::{FragilityAnswer, curves_text, warnings};
 use freestand_risk::export::ExportRequest;
-use freestand_risk::fragility::{FragilityRequest, fragility_watched};
+use freestand_risk::fragility::{FragilityRequest, fragility};
 
 use super::assess::watched;
 use super::exports::{Exported, write};
@@ -70,7 +70,7 @@ fn fit(
 ) -> Result<Done, Failure> {
     // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
-    let found = watched(printer, |progress| fragility_watched(request, progress));
+    let found = watched(printer, |progress| fragility(request, progress));
     let report = found?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = Exported::of(&report, exports)?;

@@ -539,6 +539,7 @@ fn sources(report: &FragilityReport) -> Value {
 mod tests {
     use super::*;
     use crate::fragility::{At, FragilityRequest, fragility};
+    use freestand_study::run::no_progress;
 
     #[test]
     fn ids_are_plain_and_unique() {
@@ -613,15 +614,15 @@ mod tests {
         )
         .unwrap();
         std::fs::write(path("i.csv"), inventory).unwrap();
-        let report = fragility(FragilityRequest {
+        let outcomes = FragilityRequest {
             outcomes: path("o.csv"),
             at: None,
             fit: FitKind::Ordered,
             shock: None,
             replicates: Some(0),
             seed: 1,
-        })
-        .unwrap();
+        };
+        let report = fragility(outcomes, &no_progress).unwrap();
         let request = ExportRequest {
             format: ExportFormat::OpenQuake,
             demand: None,

@@ -200,7 +200,7 @@ const GRID: u32 = 400;
 /// A missing column; every row with an unknown word, a median or β that is not above 0, a step or
 /// bounds whose lower end is above the upper one, a limit state that appears twice or a second
 /// measure for one object, each with its line and column.
-pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
+pub(crate) fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
     let bytes = load(path)?;
     Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
 }
@@ -249,7 +249,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             .filled(row, state)?
             .parse()
             .map_err(|_| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
-        let kind = kind_of(&table, row, (kind, median, beta), factor)?;
+        let kind = kind_of(&table, row, Columns { kind, median, beta }, factor)?;
         let curve = Curve { limit_state, kind };
         let found = table.given(row, CAPACITY).map(|column| {
             let hint = "write it as freestand fragility does, or leave the cell empty";
@@ -302,10 +302,17 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
     Ok(objects)
 }
 
+/// The places of the columns with the shape of a curve.
+struct Columns {
+    kind: usize,
+    median: usize,
+    beta: usize,
+}
+
 fn kind_of(
     table: &Table,
     row: &Row,
-    (kind, median, beta): (usize, usize, usize),
+    Columns { kind, median, beta }: Columns,
     factor: f64,
 ) -> Result<CurveKind, Problem> {
     let bound = |name: &str| -> Result<f64, Problem> {

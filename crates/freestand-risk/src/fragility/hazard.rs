@@ -259,7 +259,8 @@ fn from_file(
             } else {
                 column
             };
-            problems.push(disorder(&table, (above, column), (row, column), error));
+            let [above, here] = [above, row].map(|row| Cell { row, column });
+            problems.push(disorder(&table, above, here, error));
             return None;
         }
         Some(point)
@@ -275,10 +276,16 @@ fn from_file(
     })
 }
 
+/// A cell of a table.
+struct Cell<'t> {
+    row: &'t Row,
+    column: usize,
+}
+
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
 /// it.
-fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: HazardError) -> Problem {
-    let [before, here] = [above, at].map(|(row, column)| shorten(table.text(row, column)));
+fn disorder(table: &Table, above: Cell, at: Cell, error: HazardError) -> Problem {
+    let [before, here] = [&above, &at].map(|cell| shorten(table.text(cell.row, cell.column)));
     let (message, hint) = match error {
         HazardError::NotFalling { .. } => (
             format!("the rate {here} is not below {before}, that of the weaker motions before it"),
@@ -290,7 +297,7 @@ fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: Hazar
         ),
         other => (other.to_string(), HINT),
     };
-    table.cell_problem(at.0, at.1, &message).hint(hint)
+    table.cell_problem(at.row, at.column, &message).hint(hint)
 }
 
 /// The key in the comment above the headings that states the periods of AvgSA, as `sa_avg(0.2:2)`;
@@ -429,7 +436,8 @@ fn openquake(
         {
             problems.push(match error {
                 HazardError::NotFalling { .. } => {
-                    disorder(table, (row, above), (row, column), error)
+                    let [above, here] = [above, column].map(|column| Cell { row, column });
+                    disorder(table, above, here, error)
                 }
                 _ => {
                     let message = format!(

@@ -21,15 +21,15 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::{Choices, name_of};
 use freestand_output::facts::{Facts, table};
 use freestand_output::table::Table;
-use freestand_study::run::{Progress, Step, no_progress};
+use freestand_study::run::{Progress, Step};
 use rayon::prelude::*;
 
 use freestand_inventory::too_mild::TooMild;
 
+pub use curves::ObjectCurves;
 pub use curves::cautions;
-pub(crate) use curves::contradictions;
 use curves::{CAPACITY, CAUTION, capacities_text};
-pub use curves::{ObjectCurves, load_curves};
+pub(crate) use curves::{contradictions, load_curves};
 pub use doubt::{Contradiction, CurveDoubt, FitDoubt, HazardDoubt, UnusedColumn};
 pub use hazard::MeasuredHazard;
 pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, hazard_of, number_and_unit};
@@ -39,9 +39,9 @@ pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
 pub use quality::{Quality, Sufficiency};
 pub use runs::{
-    Added, Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, FloorShaking,
-    Followed, GIVEN_ID, GivenObject, KeepRuns, LeftOut, Limits, METHODS, Method, ObjectRuns,
-    RunObjects, RunsDoubt, RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
+    Added, Change, ChangedObject, DEFAULT_MAX_SCALE, FloorMotion, FloorShaking, Followed,
+    GivenObject, KeepRuns, LeftOut, Limits, METHODS, Method, ObjectRuns, RunObjects, RunsDoubt,
+    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
@@ -109,7 +109,7 @@ pub const TWO_STAGE: &str = "two-stage";
 const LEAST_ROTATION_RATIO: f64 = 0.01;
 
 /// Bootstrap samples where none are asked for.
-pub const DEFAULT_REPLICATES: u32 = 1000;
+pub(crate) const DEFAULT_REPLICATES: u32 = 1000;
 
 /// The most simulated samples for the p-value of a fit; more would not change what it says.
 const MAX_SIMULATED: u32 = 199;
@@ -145,7 +145,7 @@ pub struct ObjectFragility {
     /// Runs that could not be followed.
     pub unresolved: usize,
     /// Why, in words: each reason once.
-    pub reasons: Vec<String>,
+    pub(crate) reasons: Vec<String>,
     /// Its curves.
     pub fit: Fit,
     /// Between which intensities of the runs the capacities are, for each limit state.
@@ -155,7 +155,7 @@ pub struct ObjectFragility {
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
     /// Why the outcomes of runs were fitted instead of their shocks.
-    pub no_two_stage: Option<ShockFitError>,
+    pub(crate) no_two_stage: Option<ShockFitError>,
     /// How well they fit.
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
@@ -183,33 +183,32 @@ pub struct FragilityReport {
     pub method: &'static str,
 }
 
-/// Fits the fragilities of all objects of a table.
+/// Fits the fragilities of all objects of a table. The caller can stop it, at every bootstrap sample at the
+/// latest.
 ///
 /// # Errors
-/// A table that cannot be read, with all its problems.
-pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
-    fragility_watched(request, &no_progress)
-}
-
-/// As [`fragility`], but the caller can stop it, at every bootstrap sample at the latest.
-///
-/// # Errors
-/// As [`fragility`], and if the caller stopped it.
-pub fn fragility_watched(
+/// A table that cannot be read, with all its problems; and if the caller stopped it.
+pub fn fragility(
     request: FragilityRequest,
     progress: Progress,
 ) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
-    let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
+    let table = OutcomeTable::load(&request.outcomes, progress)?;
     request
         .shock
         .map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
     let limits = vec![request.shock; table.objects.len()];
-    fitted(request, table, (METHOD, &limits), progress)
+    let fitting = Fitting {
+        request,
+        table,
+        method: METHOD,
+        limits: &limits,
+    };
+    fitting.fitted(progress)
 }
 
 /// The most bootstrap samples: each keeps the curves of every object.
-pub const MAX_REPLICATES: u32 = 100_000;
+const MAX_REPLICATES: u32 = 100_000;
 
 /// Refuses more samples than memory has room for.
 ///
@@ -239,103 +238,115 @@ pub(crate) fn go_on(progress: Progress) -> Result<(), Problem> {
     }
 }
 
-/// Fits the fragilities of all objects of a table that was read; `limits` has the limits of each
-/// object whose shocks are fitted, and `None` for the others.
-fn fitted(
+/// A table that was read, and how its fragilities are fitted.
+struct Fitting<'a> {
     request: FragilityRequest,
     table: OutcomeTable,
-    (method, limits): (&'static str, &[Option<ShockLimits>]),
-    progress: Progress,
-) -> Result<FragilityReport, Problems> {
-    let at = table.measure.at(request.at)?;
-    let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
-    let is_wanted = || go_on(progress).is_ok();
-    let shocks = if limits.iter().any(Option::is_some) {
-        table.shocks()
-    } else {
-        Vec::new()
-    };
-    // Within an object the samples are calculated in parallel.
-    let each = table
-        .objects
-        .iter()
-        .zip(table.by_object()?)
-        .zip(table.uplifts())
-        .zip(limits)
-        .enumerate();
-    let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
-        go_on(progress)?;
-        let mut states = outcomes.limit_states();
-        let all = states.clone();
-        if limits.is_some() {
-            states.retain(|state| *state != LimitState::Exceeds);
-        }
-        let mut fit = fit_curves(&outcomes, &states, request.fit);
-        let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
-        let (two_stage, no_two_stage) = match limits
-            .map(|limits| two_stage(shocks, &fit, limits))
-            .transpose()
-        {
-            Ok(found) => (found, None),
-            Err(error) if method == METHOD => {
-                return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
-            }
-            // Some of many objects may have too few shocks; their outcomes can still be fitted.
-            Err(error) => {
-                states = all;
-                fit = fit_curves(&outcomes, &states, request.fit);
-                (None, Some(error))
-            }
+    /// How the runs were chosen.
+    method: &'static str,
+    /// For each object the limits of a fit of its shocks; `None`: its outcomes are fitted.
+    limits: &'a [Option<ShockLimits>],
+}
+
+impl Fitting<'_> {
+    /// Fits the fragilities of all objects.
+    fn fitted(self, progress: Progress) -> Result<FragilityReport, Problems> {
+        let Self {
+            request,
+            table,
+            method,
+            limits,
+        } = self;
+        let at = table.measure.at(request.at)?;
+        let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
+        let is_wanted = || go_on(progress).is_ok();
+        let shocks = if limits.iter().any(Option::is_some) {
+            table.shocks()
+        } else {
+            Vec::new()
         };
-        let goodness = goodness(
-            &outcomes,
-            &fit,
-            (replicates.min(MAX_SIMULATED), request.seed),
-            &is_wanted,
-        );
-        let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
-            .then(|| {
-                bootstrap(
-                    &outcomes,
-                    &states,
-                    request.fit,
-                    (replicates, request.seed),
-                    &is_wanted,
-                )
+        // Within an object the samples are calculated in parallel.
+        let each = table
+            .objects
+            .iter()
+            .zip(table.by_object()?)
+            .zip(table.uplifts())
+            .zip(limits)
+            .enumerate();
+        let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
+            go_on(progress)?;
+            let mut states = outcomes.limit_states();
+            let all = states.clone();
+            if limits.is_some() {
+                states.retain(|state| *state != LimitState::Exceeds);
+            }
+            let mut fit = fit_curves(&outcomes, &states, request.fit);
+            let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
+            let (two_stage, no_two_stage) = match limits
+                .map(|limits| two_stage(shocks, &fit, limits))
+                .transpose()
+            {
+                Ok(found) => (found, None),
+                Err(error) if method == METHOD => {
+                    return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
+                }
+                // Some of many objects may have too few shocks; their outcomes can still be fitted.
+                Err(error) => {
+                    states = all;
+                    fit = fit_curves(&outcomes, &states, request.fit);
+                    (None, Some(error))
+                }
+            };
+            let goodness = goodness(
+                &outcomes,
+                &fit,
+                (replicates.min(MAX_SIMULATED), request.seed),
+                &is_wanted,
+            );
+            let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
+                .then(|| {
+                    bootstrap(
+                        &outcomes,
+                        &states,
+                        request.fit,
+                        (replicates, request.seed),
+                        &is_wanted,
+                    )
+                })
+                .flatten();
+            go_on(progress)?;
+            let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
+            let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
+            Ok(ObjectFragility {
+                id: id.clone(),
+                capacities: fit
+                    .curves
+                    .iter()
+                    .map(|curve| found(curve.limit_state))
+                    .collect(),
+                outcomes,
+                unresolved,
+                reasons: table.reasons.get(i).cloned().unwrap_or_default(),
+                fit,
+                caution: table.cautions.get(i).copied().flatten(),
+                two_stage,
+                no_two_stage,
+                goodness,
+                bootstrap,
+                qualities: Vec::new(),
+                resurrections: None,
+                scaled_above_4: None,
             })
-            .flatten();
-        go_on(progress)?;
-        let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
-        let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
-        Ok(ObjectFragility {
-            id: id.clone(),
-            capacities: fit
-                .curves
-                .iter()
-                .map(|curve| found(curve.limit_state))
-                .collect(),
-            outcomes,
-            unresolved,
-            reasons: table.reasons.get(i).cloned().unwrap_or_default(),
-            fit,
-            caution: table.cautions.get(i).copied().flatten(),
-            two_stage,
-            no_two_stage,
-            goodness,
-            bootstrap,
-            qualities: Vec::new(),
-            resurrections: None,
-            scaled_above_4: None,
+        });
+        let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
+        Ok(FragilityReport {
+            request,
+            table,
+            at,
+            objects,
+            method,
         })
-    });
-    let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    Ok(FragilityReport {
-        request,
-        table,
-        at,
-        objects,
-        method,
-    })
+    }
 }
 
 /// The probability of exceeding a tolerance, from the shocks of an object (each with its line).
@@ -586,6 +597,8 @@ impl FragilityReport {
 mod tests {
     use std::path::Path;
 
+    use freestand_study::run::no_progress;
+
     use super::*;
 
     fn report(text: &str) -> FragilityReport {
@@ -599,7 +612,13 @@ mod tests {
             seed: 1,
         };
         let limits = vec![None; table.objects.len()];
-        fitted(request, table, (METHOD, &limits), &no_progress).unwrap()
+        let fitting = Fitting {
+            request,
+            table,
+            method: METHOD,
+            limits: &limits,
+        };
+        fitting.fitted(&no_progress).unwrap()
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::super::{FitMethod, FragilityReport};
 use super::follow::Followed;
 use super::levels::{Added, MOST_ADDED};
 use super::request::DOUBTFUL_SCALE;
-use super::shaking::FloorShaking;
+use super::shaking::{Asked, FloorShaking};
 use super::{ObjectRuns, RunsRequest, follow};
 
 /// Fragilities from runs.
@@ -158,11 +158,16 @@ impl RunsReport {
         at: At,
     ) -> impl Iterator<Item = Vec<(f64, &'r Followed)>> {
         let shakings = self.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
+        let first = Asked {
+            measure,
+            place: 0,
+            at,
+        };
         shakings
             .iter()
             .zip(&one.motions)
             .filter_map(move |(shaking, runs)| {
-                let unit = shaking.intensity(measure, 0, at, one.factors)?;
+                let unit = shaking.intensity(first, one.factors)?;
                 let each = runs.iter().map(|run| (unit * run.scale_ratio, run));
                 Some(each.collect())
             })

@@ -162,11 +162,6 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Whether a landing is compared with any of them.
-    pub fn needs_shock(&self) -> bool {
-        self.peak_m_s2.is_some() || self.velocity_change_m_s.is_some()
-    }
-
     pub(super) fn tolerance(&self) -> Tolerance {
         let Self {
             peak_m_s2,
@@ -205,7 +200,7 @@ pub enum RunObjects {
 }
 
 /// The id of an object that is given by its numbers.
-pub const GIVEN_ID: &str = "object";
+pub(crate) const GIVEN_ID: &str = "object";
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]

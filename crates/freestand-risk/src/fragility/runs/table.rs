@@ -10,10 +10,11 @@ use freestand_study::run::Progress;
 
 use super::super::curves::CAUTION;
 use super::super::go_on;
-use super::super::measure::{At, Measure};
+use super::super::measure::Measure;
 use super::super::outcomes::{RunRow, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
+use super::shaking::Asked;
 use super::{Method, ObjectRuns, RunsReport};
 use freestand_inventory::too_mild::TooMild;
 
@@ -53,12 +54,12 @@ pub(super) struct Line<'a> {
 /// The runs of all objects by one measure.
 pub(super) fn lines<'a>(
     report: &'a RunsReport,
-    (measure, place, at): (Measure, usize, At),
+    asked: Asked,
     progress: Progress,
 ) -> Result<Vec<Line<'a>>, Problem> {
     let is_weighted =
         report.request.method == Method::Incremental && report.request.scales.is_none();
-    let is_of_stripes = report.request.method == Method::Stripes && place == 0;
+    let is_of_stripes = report.request.method == Method::Stripes && asked.place == 0;
     let scales = report.request.scales.as_deref().filter(|_| is_of_stripes);
     let levels = Levels::new(scales.unwrap_or_default());
     let mut lines = Vec::new();
@@ -66,9 +67,9 @@ pub(super) fn lines<'a>(
         let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
         let units: Vec<Option<f64>> = shakings
             .iter()
-            .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+            .map(|shaking| shaking.intensity(asked, one.factors))
             .collect();
-        let weights = weights(one, place, &units);
+        let weights = weights(one, asked.place, &units);
         let runs = one.motions.iter().flatten();
         let known = runs.filter(|run| run.found.is_ok()).count() as f64;
         let all: f64 = weights.iter().flatten().sum();
