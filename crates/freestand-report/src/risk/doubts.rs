@@ -13,11 +13,8 @@ use crate::fragility::doubts::{cost_doubt, curve_doubts, hazard_doubt};
 /// What to know beside the result.
 pub fn warnings(report: &RiskReport) -> Vec<String> {
     let measure = report.hazard.measure;
-    let of = |doubt: &Doubt| match doubt {
-        Doubt::Curves(doubts) => curve_doubts(doubts),
-        other => vec![sentence(other, measure)],
-    };
-    report.doubts.iter().flat_map(of).collect()
+    let doubts = report.doubts.iter();
+    doubts.flat_map(|doubt| sentences(doubt, measure)).collect()
 }
 
 /// What was used because nobody stated it, as one sentence; none where all was stated.
@@ -77,9 +74,9 @@ fn intensity(measure: Measure, value: f64) -> String {
     measure.value_words(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
-fn sentence(doubt: &Doubt, measure: Measure) -> String {
-    match doubt {
-        Doubt::Curves(doubts) => curve_doubts(doubts).join("; "),
+fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
+    vec![match doubt {
+        Doubt::Curves(doubts) => return curve_doubts(doubts),
         Doubt::Hazard(doubt) => hazard_doubt(*doubt),
         Doubt::Cost(doubt) => cost_doubt(doubt),
         Doubt::BeginsTooHigh { first: begin, ids } => format!(
@@ -172,7 +169,7 @@ fn sentence(doubt: &Doubt, measure: Measure) -> String {
              losses of objects that fail independently count the least that they can be; run more intensities",
             first(ids)
         ),
-    }
+    }]
 }
 
 fn not_resolved(gap: Gap, ids: &[String], measure: Measure) -> String {
