@@ -115,10 +115,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             doubts.extend(of_options.into_iter().map(Doubt::Cost));
             for (file, one) in named {
                 check_measure(&hazard, &one, &file.path, Some(one.line))?;
-                let also = Vec::new();
-                let wrong = one.contradiction();
-                let wrong = wrong.map(|first| CurveDoubt::Contradiction { first, also });
-                doubts.push(Doubt::Curves(wrong.into_iter().collect()));
+                doubts.extend(one.contradiction().map(|first| {
+                    let also = Vec::new();
+                    Doubt::Curves(vec![CurveDoubt::Contradiction { first, also }])
+                }));
                 if inputs.iter().all(|known| known.path != file.path) {
                     inputs.push(file);
                 }

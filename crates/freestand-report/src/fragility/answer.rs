@@ -15,13 +15,14 @@ use super::doubts::why_no_interval;
 answer_of!(
     /// Fragilities as a JSON document tells them.
     pub struct FragilityAnswer<'r>(pub &'r FragilityReport) as report.0 {
-    version: &'static str = env!("CARGO_PKG_VERSION");
-    /// Seed of the bootstrap.
-    seed: u64 = report.0.request.seed;
-    /// The files that were read.
-    inputs: Vec<Input> = vec![Input::from(&report.0.table.file)];
-    objects: Vec<OfObject<'_>> = OfObject::all(report.0);
-});
+        version: &'static str = env!("CARGO_PKG_VERSION");
+        /// Seed of the bootstrap.
+        seed: u64 = report.0.request.seed;
+        /// The files that were read.
+        inputs: Vec<Input> = vec![Input::from(&report.0.table.file)];
+        objects: Vec<OfObject<'_>> = OfObject::all(report.0);
+    }
+);
 
 /// An object in its report.
 #[derive(Clone, Copy)]

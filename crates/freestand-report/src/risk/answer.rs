@@ -17,7 +17,7 @@ use super::words::{not_counted, why_not_run, why_unjudged};
 answer_of!(
     /// The rates and losses of objects, and what is known beside them.
     pub struct RiskAnswer<'r>(pub &'r RiskReport) as report.0 {
-    version: &'static str = env!("CARGO_PKG_VERSION");
+        version: &'static str = env!("CARGO_PKG_VERSION");
         /// The files that were read.
         inputs: Vec<Input> = report.0.inputs.iter().map(Input::from).collect();
         /// Years of the stated probabilities.
@@ -43,7 +43,7 @@ answer_of!(
 answer_of!(
     /// An object.
     struct OfObject<'r>(&'r ObjectRisk) as object.0 {
-    id: String;
+        id: String;
         limit_states: Vec<&StateRisk> = object.0.states.iter().collect();
         /// Why the object may fail more often than its curves say.
         caution: Option<&'static str> = object.0.curves.caution.map(TooMild::name);
