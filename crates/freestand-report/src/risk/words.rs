@@ -155,3 +155,78 @@ pub(super) fn not_counted(part: NotCounted) -> &'static str {
         NotCounted::OverturningWithoutCurve => "overturning (there is no curve of it)",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(rate: Option<f64>, lower: f64, upper: Option<f64>) -> StateRisk {
+        StateRisk {
+            limit_state: LimitState::Overturns,
+            rates: AnnualRates {
+                annual_rate: rate,
+                annual_rate_in_table: rate,
+                annual_rate_lower: lower,
+                annual_rate_upper: upper,
+                below_first: 0.0,
+            },
+            open: None,
+            ci95: None,
+            lacks_interval: false,
+            probability: rate.map(|rate| 50.0 * rate),
+            years: 50.0,
+        }
+    }
+
+    #[test]
+    fn rates_and_losses_in_words() {
+        let known = state(Some(1e-3), 1e-3, Some(1e-3));
+        let with_interval = |state: StateRisk| StateRisk {
+            ci95: Some((5e-4, 2e-3)),
+            ..state
+        };
+        let mut cut = known.clone();
+        cut.rates.below_first = 1e-2;
+        let states = [
+            known.clone(),
+            state(Some(0.0), 0.0, Some(0.0)),
+            with_interval(known),
+            cut,
+            state(Some(1e-3), 5e-4, Some(1.05e-3)),
+            state(Some(1e-3), 1e-3, Some(3e-3)),
+            state(Some(1e-3), 5e-4, Some(3e-3)),
+            with_interval(state(Some(1e-3), 5e-4, Some(2e-3))),
+            state(Some(1e-3), 5e-4, None),
+            state(Some(1e-3), 1e-3, None),
+            state(None, 0.0, None),
+            state(None, 1e-4, Some(1e-2)),
+        ];
+        let mut told: Vec<String> = states.iter().map(|one| state_words(one, "50")).collect();
+        let losses = [Some(100.0), Some(300.0), None].map(|most| LossBounds {
+            least: 100.0,
+            best: 150.0,
+            most,
+        });
+        told.extend(losses.map(|loss| format!("150 AUD{}", loss_words(&loss, "AUD"))));
+        let verdicts = [RiskVerdict::Accepted, RiskVerdict::Exceeds];
+        told.extend(verdicts.map(|verdict| verdict_words(verdict).to_owned()));
+        told.extend(LimitState::ALL.map(|state| reaching(state).to_owned()));
+        let parts = [
+            NotCounted::Repair,
+            NotCounted::Replacement,
+            NotCounted::Downtime,
+            NotCounted::Casualties,
+            NotCounted::RepairWithoutCurve,
+            NotCounted::ExceedingOfUnknownRate,
+            NotCounted::OverturningOfUnknownRate,
+            NotCounted::OverturningWithoutCurve,
+        ];
+        told.extend(parts.map(|part| not_counted(part).to_owned()));
+        let whys = [
+            WhyNotRun::LeftOut("its height is not given".to_owned()),
+            WhyNotRun::Anchored("bolted".to_owned()),
+        ];
+        told.extend(whys.iter().map(why_not_run));
+        insta::assert_snapshot!(told.join("\n"));
+    }
+}

@@ -2,13 +2,11 @@
 
 use freestand::fragility::LimitState;
 use freestand::risk::Hazard;
-use freestand_risk::costs::{CostDoubt, NotCounted};
+use freestand_risk::costs::CostDoubt;
 use freestand_risk::fragility::{At, CurveDoubt, FitDoubt, HazardDoubt};
 use freestand_risk::objects::Unjudged;
-use freestand_risk::report::WhyNotRun;
 use strum::EnumCount;
 
-use super::super::words::{not_counted, why_not_run};
 use super::*;
 
 fn names(all: &[&str]) -> Vec<String> {
@@ -141,25 +139,5 @@ fn every_doubt_in_words() {
     let report = report(doubts, assumed);
     let mut told = warnings(&report);
     told.extend(assumptions(&report));
-    told.extend(
-        [
-            NotCounted::Repair,
-            NotCounted::Replacement,
-            NotCounted::Downtime,
-            NotCounted::Casualties,
-            NotCounted::RepairWithoutCurve,
-            NotCounted::ExceedingOfUnknownRate,
-            NotCounted::OverturningOfUnknownRate,
-            NotCounted::OverturningWithoutCurve,
-        ]
-        .map(|part| not_counted(part).to_owned()),
-    );
-    told.extend(
-        [
-            WhyNotRun::LeftOut("its height is not given".to_owned()),
-            WhyNotRun::Anchored("bolted".to_owned()),
-        ]
-        .map(|why| why_not_run(&why)),
-    );
     insta::assert_snapshot!(told.join("\n"));
 }
