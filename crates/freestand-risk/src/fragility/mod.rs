@@ -129,7 +129,7 @@ pub struct FragilityRequest {
     /// The tolerance and the ceiling for a fit of shocks; `None`: the classes of the table are
     /// fitted. For runs: those of the first object whose shocks are fitted.
     pub shock: Option<ShockLimits>,
-    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
+    /// Bootstrap samples; `None`: 1000, 0: none.
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,
@@ -213,7 +213,7 @@ const MAX_REPLICATES: u32 = 100_000;
 /// Refuses more samples than memory has room for.
 ///
 /// # Errors
-/// More than [`MAX_REPLICATES`].
+/// More than 100,000.
 pub fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
     let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else {
         return Ok(());

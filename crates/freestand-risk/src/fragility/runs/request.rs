@@ -192,7 +192,7 @@ pub enum RunObjects {
         study: Arc<Study>,
         /// The list.
         inventory: Arc<Inventory>,
-        /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`](super::DEFAULT_WORLDS).
+        /// How many worlds; `None`: the records of the study once each, or 40.
         worlds: Option<u32>,
         /// Objects of the list that are run as options change them, too.
         changed: Vec<ChangedObject>,
@@ -238,7 +238,7 @@ pub struct RunsRequest {
     pub rotation_ratio: Option<f64>,
     /// How limit states are fitted.
     pub fit: FitMethod,
-    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`](crate::fragility::DEFAULT_REPLICATES).
+    /// Bootstrap samples; `None`: 1000, 0: none.
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,
