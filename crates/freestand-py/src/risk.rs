@@ -8,7 +8,9 @@ use freestand_app::fragility::{Fitted, Fragility, SCHEMA as FRAGILITY};
 use freestand_app::request::Question as _;
 use freestand_app::risk::{Risk, SCHEMA as RISK};
 use freestand_input::problem::Problem;
-use freestand_risk::fragility::fragility_watched as fitted;
+use freestand_report::fragility::{self as of_fragility, FragilityAnswer};
+use freestand_report::risk::{self as of_risk, RiskAnswer};
+use freestand_risk::fragility::fragility as fitted;
 use freestand_risk::risk as calculated;
 use freestand_study::run::Step;
 use pyo3::prelude::*;
@@ -62,7 +64,8 @@ pub(crate) fn fragility(
     };
     let report = watched(py, threads, |stop| fitted(request, &until(stop)))?.map_err(raised_all)?;
     let seen = report.empirical_table().map_err(raised)?.to_string();
-    let document = told(FRAGILITY, &report, &report.warnings)?;
+    let warnings = of_fragility::warnings(&report);
+    let document = told(FRAGILITY, &FragilityAnswer(&report), &warnings)?;
     Ok((document, seen))
 }
 
@@ -78,5 +81,5 @@ pub(crate) fn risk(
     let meant = request.resolve(&files).map_err(raised_all)?;
     let report =
         watched(py, threads, |stop| calculated(&meant.risk, &until(stop)))?.map_err(raised_all)?;
-    told(RISK, &report, &report.warnings)
+    told(RISK, &RiskAnswer(&report), &of_risk::warnings(&report))
 }

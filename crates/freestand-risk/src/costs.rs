@@ -6,14 +6,14 @@ use std::path::{Path, PathBuf};
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
-use freestand_input::words::counted;
 
 use crate::fragility::table::{Row, RowProblems, Table};
-use crate::fragility::{Change, ChangedObject, ObjectCurves, load_curves};
+use crate::fragility::{Change, ChangedObject, ObjectCurves, UnusedColumn, load_curves};
 use freestand_inventory::too_mild::TooMild;
 use freestand_inventory::{
     Amounts, CellsRequest, Cost, Item, Rating, cost_name, costs_of_list, is_list, rating,
 };
+use strum::EnumCount;
 
 const HINT: &str = "the columns are id, and quantity, repair_cost [AUD], replacement_cost [AUD], downtime [day], \
                     downtime_cost [AUD/day], casualty_probability, casualty_cost [AUD], accepted_annual_rate [1/yr], \
@@ -68,23 +68,23 @@ pub struct CostRow {
     /// How many objects it stands for.
     pub quantity: f64,
     /// Whether the list states it; else it is 1.
-    pub has_quantity: bool,
+    pub(crate) has_quantity: bool,
     /// Cost of a repair after its tolerance was exceeded.
     pub repair: Option<f64>,
     /// Cost of another one after it overturned.
     pub replacement: Option<f64>,
     /// Days without it after it overturned.
-    pub downtime_days: Option<f64>,
+    pub(crate) downtime_days: Option<f64>,
     /// Cost of a day without it.
-    pub downtime_cost: Option<f64>,
+    pub(crate) downtime_cost: Option<f64>,
     /// Probability of a casualty where it overturns.
     pub casualty_probability: Option<f64>,
     /// Cost of a casualty.
-    pub casualty_cost: Option<f64>,
+    pub(crate) casualty_cost: Option<f64>,
     /// Accepted rate of overturning \[1/year\].
-    pub accepted_rate: Option<f64>,
+    pub(crate) accepted_rate: Option<f64>,
     /// Accepted rate of exceeding its tolerance \[1/year\].
-    pub accepted_exceed_rate: Option<f64>,
+    pub(crate) accepted_exceed_rate: Option<f64>,
     /// What it is.
     pub item: String,
     /// Its building.
@@ -103,7 +103,7 @@ pub struct CostRow {
 
 impl CostRow {
     /// Cost of overturning of one object.
-    pub fn overturned(&self) -> f64 {
+    pub(crate) fn overturned(&self) -> f64 {
         let product = |a: Option<f64>, b: Option<f64>| a.zip(b).map_or(0.0, |(a, b)| a * b);
         self.replacement.unwrap_or(0.0)
             + product(self.downtime_days, self.downtime_cost)
@@ -111,7 +111,7 @@ impl CostRow {
     }
 
     /// Whether any cost is known.
-    pub fn has_costs(&self) -> bool {
+    pub(crate) fn has_costs(&self) -> bool {
         self.repair.is_some()
             || self.replacement.is_some()
             || self.downtime_days.zip(self.downtime_cost).is_some()
@@ -119,7 +119,7 @@ impl CostRow {
     }
 
     /// Amounts that were not given.
-    pub fn not_counted(&self) -> Vec<NotCounted> {
+    pub(crate) fn not_counted(&self) -> Vec<NotCounted> {
         let has_downtime = self.downtime_days.zip(self.downtime_cost).is_some();
         let has_casualties = self.casualty_probability.zip(self.casualty_cost).is_some();
         let parts = [
@@ -155,20 +155,6 @@ pub enum NotCounted {
 }
 
 impl NotCounted {
-    /// What it is, in outputs.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Repair => "repair_cost",
-            Self::Replacement => "replacement_cost",
-            Self::Downtime => "downtime",
-            Self::Casualties => "casualties",
-            Self::RepairWithoutCurve => "repair_cost (there is no curve of exceeding)",
-            Self::ExceedingOfUnknownRate => "exceeding (its rate is not known)",
-            Self::OverturningOfUnknownRate => "overturning (its rate is not known)",
-            Self::OverturningWithoutCurve => "overturning (there is no curve of it)",
-        }
-    }
-
     /// Whether it is not counted because no amount was given.
     pub fn lacks_amount(self) -> bool {
         matches!(
@@ -180,17 +166,58 @@ impl NotCounted {
 
 /// The costs of an inventory.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Costs {
+pub(crate) struct Costs {
     /// The file.
     pub file: InputFile,
     /// The currency of all costs.
-    pub currency: Option<String>,
+    pub(crate) currency: Option<String>,
     /// One for each object.
     pub rows: Vec<CostRow>,
     /// Objects whose runs would be too mild, by what a list says of them.
-    pub too_mild: Vec<(String, TooMild)>,
+    pub(crate) too_mild: Vec<(String, TooMild)>,
     /// What to know beside them.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<CostDoubt>,
+}
+
+/// What to know beside costs and options.
+#[derive(Debug, Clone, PartialEq, Eq, EnumCount)]
+pub enum CostDoubt {
+    /// What the reader of a list says of it.
+    OfList(String),
+    /// A table has columns that nothing reads.
+    Unused {
+        /// Its file.
+        path: PathBuf,
+        /// The columns.
+        columns: Vec<UnusedColumn>,
+    },
+    /// Rows have no quantity, and count as one object.
+    NoQuantity {
+        /// Their file.
+        path: PathBuf,
+        /// How many.
+        rows: usize,
+    },
+    /// A repair costs more than overturning.
+    DearRepair {
+        /// Its file.
+        path: PathBuf,
+        /// Its line, from 1.
+        line: usize,
+        /// The object.
+        id: String,
+    },
+}
+
+impl CostDoubt {
+    /// The columns of a table that are not among `known`, if there are any.
+    fn unused(table: &Table, known: &[&str]) -> Option<Self> {
+        let columns = table.unused(known);
+        (!columns.is_empty()).then(|| Self::Unused {
+            path: table.path.clone(),
+            columns,
+        })
+    }
 }
 
 /// The currency of a column, `AUD` of `[AUD]` and of `[AUD/day]`; all columns have the same.
@@ -260,7 +287,7 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 ///
 /// # Errors
 /// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
-pub fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
+pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
     let bytes = load(path)?;
     let file = InputFile::new(path, &bytes);
     if !list.is_given() && is_table(&bytes, path) {
@@ -308,13 +335,14 @@ pub fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
         }
     };
     let rows: Vec<CostRow> = found.objects.into_iter().map(row).collect();
-    let warnings = dear(&rows, path).chain(found.warnings).collect();
+    let of_list = found.warnings.into_iter().map(CostDoubt::OfList);
+    let doubts = dear(&rows, path).chain(of_list).collect();
     Ok(Costs {
         file,
         currency: found.currency,
         rows,
         too_mild: found.too_mild,
-        warnings,
+        doubts,
     })
 }
 
@@ -326,7 +354,7 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
             let has_costs = COLUMNS
                 .iter()
                 .any(|name| cost_name(name).is_some() && table.column(name).is_some());
-            table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_none())
+            table.column("id").is_some() && (has_costs || table.unused(&COLUMNS).is_empty())
         }
         // What is wrong with a table is said of the table.
         Err(_) => !is_workbook && !is_list(path),
@@ -334,18 +362,17 @@ fn is_table(bytes: &[u8], path: &Path) -> bool {
 }
 
 /// That a repair costs more than a new object.
-fn dear(rows: &[CostRow], path: &Path) -> impl Iterator<Item = String> {
+fn dear(rows: &[CostRow], path: &Path) -> impl Iterator<Item = CostDoubt> {
     let is_dear = |row: &&CostRow| {
         row.replacement.is_some() && row.repair.is_some_and(|cost| cost > row.overturned())
     };
-    rows.iter().filter(is_dear).map(|row| {
-        format!(
-            "{}:{}: the repair of {} costs more than its overturning: are the costs in the wrong columns?",
-            path.display(),
-            row.line,
-            shorten(&row.id)
-        )
-    })
+    rows.iter()
+        .filter(is_dear)
+        .map(|row| CostDoubt::DearRepair {
+            path: path.to_path_buf(),
+            line: row.line,
+            id: row.id.clone(),
+        })
 }
 
 fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
@@ -414,28 +441,25 @@ fn read_costs(bytes: &[u8], path: &Path) -> Result<Costs, Problems> {
             site_deg: site_deg?,
         })
     })?;
-    let mut warnings: Vec<String> = table.unused(&COLUMNS).into_iter().collect();
+    let mut doubts: Vec<CostDoubt> = CostDoubt::unused(&table, &COLUMNS).into_iter().collect();
     if let Some(quantity) = table.column("quantity") {
         let blank = table
             .rows
             .iter()
             .filter(|row| table.text(row, quantity).is_empty())
             .count();
-        let has = if blank == 1 { "has" } else { "have" };
-        let said = format!(
-            "{}: {} {has} no quantity: 1 is assumed",
-            path.display(),
-            counted(blank, "row")
-        );
-        warnings.extend((blank > 0).then_some(said));
+        doubts.extend((blank > 0).then(|| CostDoubt::NoQuantity {
+            path: path.to_path_buf(),
+            rows: blank,
+        }));
     }
-    warnings.extend(dear(&rows, path));
+    doubts.extend(dear(&rows, path));
     Ok(Costs {
         file: InputFile::new(path, bytes),
         currency,
         rows,
         too_mild: Vec::new(),
-        warnings,
+        doubts,
     })
 }
 
@@ -560,7 +584,7 @@ fn site_of(table: &Table, row: &Row) -> Result<Option<(f64, f64)>, Problem> {
 
 /// How an option changes the curves of an object.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Effect {
+pub(crate) enum Effect {
     /// All medians are multiplied.
     MedianFactor(f64),
     /// Other curves, such as those of the object that `freestand fragility --options` changed.
@@ -569,7 +593,7 @@ pub enum Effect {
 
 /// An option for one object: a pad, a strap, an anchor.
 #[derive(Debug, Clone, PartialEq)]
-pub struct OptionRow {
+pub(crate) struct OptionRow {
     /// Identifier of the object.
     pub id: String,
     /// Its line in the file, from 1.
@@ -579,14 +603,14 @@ pub struct OptionRow {
     /// What it costs once.
     pub cost: f64,
     /// After how long it is renewed \[years\]; `None`: never.
-    pub life_years: Option<f64>,
+    pub(crate) life_years: Option<f64>,
     /// What it changes.
     pub effect: Effect,
 }
 
 /// The options of a file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Options {
+pub(crate) struct Options {
     /// The file.
     pub file: InputFile,
     /// One for each object and option.
@@ -594,7 +618,7 @@ pub struct Options {
     /// The curves that options name, with their files.
     pub curves: Vec<(InputFile, ObjectCurves)>,
     /// What to know beside them.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<CostDoubt>,
 }
 
 /// Reads the options; `currency` is that of the costs, and `curves` those of all objects, with those of
@@ -603,7 +627,7 @@ pub struct Options {
 /// # Errors
 /// Another currency; every row with no effect or more than one, with an option that appears twice,
 /// or with a changed object without curves.
-pub fn load_options(
+pub(crate) fn load_options(
     path: &Path,
     currency: Option<&str>,
     curves: &[ObjectCurves],
@@ -624,13 +648,13 @@ pub fn load_options(
     let ReadOptions {
         rows,
         curves,
-        warnings,
+        doubts,
     } = read;
     Ok(Options {
         file: InputFile::new(path, &bytes),
         rows,
         curves,
-        warnings,
+        doubts,
     })
 }
 
@@ -660,10 +684,10 @@ pub fn load_changed(path: &Path) -> Result<(InputFile, Vec<ChangedObject>), Prob
 struct ReadOptions {
     rows: Vec<OptionRow>,
     curves: Vec<(InputFile, ObjectCurves)>,
-    warnings: Vec<String>,
+    doubts: Vec<CostDoubt>,
 }
 
-/// The options, and warnings about the file. `changed` returns the effect of an option that changes
+/// The options, and what to know beside them. `changed` returns the effect of an option that changes
 /// its object, or `None` to leave the option out.
 fn read_options(
     bytes: &[u8],
@@ -680,7 +704,7 @@ fn read_options(
     let ((id, option), cost) = problems.finish(id.zip(option).zip(cost))?;
     let (mut known, mut files, mut named) = (HashMap::new(), CurveFiles::new(), Vec::new());
     let rows = table.each_row(rows, |row, problems| {
-        let names = problems.keep(names_of(&table, row, (id, option), &mut known));
+        let names = problems.keep(names_of(&table, row, id, option, &mut known));
         let cost = problems.keep(table.non_negative(row, cost));
         let life_years = problems.keep(positive_of(&table, row, "life"));
         let change = problems.keep(change_of(&table, row));
@@ -734,11 +758,12 @@ fn read_options(
             effect,
         }))
     })?;
-    let warnings = table.unused(&OPTION_COLUMNS).into_iter().collect();
     Ok(ReadOptions {
         rows: rows.into_iter().flatten().collect(),
         curves: named,
-        warnings,
+        doubts: CostDoubt::unused(&table, &OPTION_COLUMNS)
+            .into_iter()
+            .collect(),
     })
 }
 
@@ -746,7 +771,8 @@ fn read_options(
 fn names_of(
     table: &Table,
     row: &Row,
-    (id, option): (usize, usize),
+    id: usize,
+    option: usize,
     known: &mut HashMap<(String, String), usize>,
 ) -> Result<(String, String), Problem> {
     let names = (
@@ -769,7 +795,7 @@ fn names_of(
 }
 
 /// The id of the curves of an object with an option.
-pub fn curve_id(id: &str, option: &str) -> String {
+pub(crate) fn curve_id(id: &str, option: &str) -> String {
     format!("{id}/{option}")
 }
 

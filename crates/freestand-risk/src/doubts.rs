@@ -1,4 +1,5 @@
-//! What does not fit together, what was used because nobody stated it, and what the hazard leaves open.
+//! What does not fit together, what was used because nobody stated it, and what the hazard leaves open, as data:
+//! `freestand-report` has the words.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -7,14 +8,16 @@ use freestand::fragility::FitKind;
 use freestand::risk::{Gap, Hazard};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, number, percent_significant, shortest};
+use freestand_input::words::shortest;
+use strum::EnumCount;
 
-use crate::costs::{Costs, OptionRow};
-use crate::fragility::{At, DEFAULT_REPLICATES, Measure, MeasuredHazard, ObjectCurves};
-use crate::objects::{ObjectRisk, StateRisk};
+use crate::costs::{CostDoubt, Costs, OptionRow};
+use crate::fragility::{
+    At, CurveDoubt, DEFAULT_REPLICATES, HazardDoubt, Measure, MeasuredHazard, ObjectCurves,
+};
+use crate::objects::{ObjectRisk, StateRisk, Unjudged};
 use crate::rates::{Levels, Open};
 use crate::request::{DEFAULT_YEARS, RiskCurves, RiskRequest};
-use crate::words::{is_or_are, rounded_value};
 
 /// No motion is more frequent than this: a larger rate is a mistake, and the loss that follows from it
 /// may be infinite \[1/year\].
@@ -23,75 +26,164 @@ const MAX_ANNUAL_RATE: f64 = 1e12;
 /// If a larger share of a rate is above the last point of the hazard, that is said.
 const BEYOND: f64 = 0.1;
 
-/// What was used because nobody stated it, as one sentence; empty where all was stated.
+/// What to know beside rates and losses. Objects are named by their ids, intensities are those of the
+/// measure of the hazard.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum Doubt {
+    /// Of the fragilities.
+    Curves(Vec<CurveDoubt>),
+    /// Of the hazard.
+    Hazard(HazardDoubt),
+    /// Of costs and options.
+    Cost(CostDoubt),
+    /// The hazard curve begins above intensities at which objects reach limit states.
+    BeginsTooHigh {
+        /// Its first intensity.
+        first: f64,
+        /// The objects.
+        ids: Vec<String>,
+    },
+    /// Much of a rate is above the last point of the hazard curve, where its last segment goes on.
+    EndsTooLow {
+        /// Its last intensity.
+        last: f64,
+        /// The share of a rate of the first object.
+        share: f64,
+        /// The objects.
+        ids: Vec<String>,
+    },
+    /// More than a tenth of a rate is where there are no runs.
+    NotResolved {
+        /// Where, of the first object.
+        gap: Gap,
+        /// The objects.
+        ids: Vec<String>,
+    },
+    /// These intensities would tell such rates if nothing unexpected happens between those of the runs.
+    WouldTell {
+        /// The lowest.
+        from: f64,
+        /// The highest.
+        to: f64,
+        /// How many.
+        count: usize,
+    },
+    /// Objects without a row in the inventory.
+    WithoutCosts(Vec<String>),
+    /// Objects of the inventory without a fragility.
+    WithoutFragility(Vec<String>),
+    /// An accepted rate was not compared with anything.
+    Unjudged {
+        /// Why, of the first object.
+        why: Unjudged,
+        /// The objects.
+        ids: Vec<String>,
+    },
+    /// The worth of options is not known.
+    UnknownWorth(OpenOptions),
+    /// How many falls options avoid is not known.
+    UnknownFalls(OpenOptions),
+    /// The losses of all objects together were not calculated.
+    NoPortfolio(NoPortfolio),
+    /// Worlds with a run that could not be calculated do not count for the losses of all objects.
+    WorldsLeftOut {
+        /// How many.
+        left_out: usize,
+        /// Of how many.
+        worlds: usize,
+    },
+    /// Something fails at the lowest intensity that counts.
+    FailsAtLowest {
+        /// That intensity.
+        lowest: f64,
+        /// Motions under which something fails.
+        failing: usize,
+        /// All motions at that intensity.
+        motions: usize,
+    },
+    /// Objects without a curve count with the least that their outcomes allow if all fail independently.
+    LeastAlone(Vec<String>),
+}
+
+/// Options of which something is not known.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OpenOptions {
+    /// The name of the first.
+    pub option: String,
+    /// Its object.
+    pub id: String,
+    /// How many others there are.
+    pub more: usize,
+}
+
+/// Why the losses of all objects together were not calculated.
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
+pub enum NoPortfolio {
+    /// The hazard is that of a floor.
+    OfFloor,
+    /// The outcomes are counts.
+    Counts,
+    /// The outcomes have a single intensity.
+    OneIntensity,
+    /// The motions were not scaled to the same intensities.
+    NoStripes,
+    /// At this intensity every motion has a run that could not be calculated.
+    NotCalculated(f64),
+}
+
+/// What was used because nobody stated it.
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
+pub enum Assumed {
+    /// The years of stated chances.
+    Years(f64),
+    /// The limit states of an object are fitted with one dispersion.
+    OneDispersion,
+    /// How many samples of motions there are.
+    Replicates(u32),
+    /// Where the measure of the hazard is taken.
+    Place,
+    /// Above its last point the hazard goes on.
+    HazardGoesOn,
+    /// No rate is accepted.
+    NothingAccepted,
+    /// So many objects have no quantity.
+    OneOfEach(usize),
+    /// So many options have no life.
+    PaidOnce(usize),
+}
+
+/// What was used because nobody stated it.
 pub(crate) fn assumed(
     request: &RiskRequest,
     hazard: &MeasuredHazard,
     objects: &[ObjectRisk],
     options: Option<&[OptionRow]>,
-) -> Vec<String> {
-    let mut all = Vec::new();
-    if request.years.is_none() {
-        all.push(format!(
-            "chances are those in {} years",
-            number(DEFAULT_YEARS, 4)
-        ));
-    }
-    if let RiskCurves::Outcomes(fits) = &request.curves {
-        if fits.fit == FitKind::Ordered {
-            all.push("the limit states of an object are fitted with one dispersion".to_owned());
-        }
-        if fits.replicates.is_none() {
-            all.push(format!(
-                "intervals come from {DEFAULT_REPLICATES} samples of motions"
-            ));
-        }
-    }
-    if hazard.measure.place().is_none() && request.hazard_at.is_none() {
-        all.push(format!(
-            "{} is that of the {}",
-            hazard.measure.name(),
-            hazard.at.name()
-        ));
-    }
-    if matches!(hazard.hazard, Hazard::Points(_)) {
-        all.push("above its last point the hazard goes on as between the last two".to_owned());
-    }
-    if objects
-        .iter()
-        .all(|one| one.accepted_rate.is_none() && one.accepted_exceed_rate.is_none())
-    {
-        all.push("no rate is accepted, so that there is no verdict".to_owned());
-    }
-    let without_quantity = objects
-        .iter()
-        .filter(|one| one.cost.as_ref().is_some_and(|cost| !cost.has_quantity))
-        .count();
-    if without_quantity > 0 {
-        all.push(format!(
-            "{} without a quantity {} counted once",
-            counted(without_quantity, "object"),
-            is_or_are(without_quantity)
-        ));
-    }
-    let without_life = options.map_or(0, |all| {
-        all.iter().filter(|row| row.life_years.is_none()).count()
-    });
-    if without_life > 0 {
-        all.push(format!(
-            "{} without a life {} paid for once",
-            counted(without_life, "option"),
-            is_or_are(without_life)
-        ));
-    }
-    if all.is_empty() {
-        all
-    } else {
-        vec![format!(
-            "Assumed, because nobody stated it: {}.",
-            all.join("; ")
-        )]
-    }
+) -> Vec<Assumed> {
+    let fits = match &request.curves {
+        RiskCurves::Outcomes(fits) => Some(fits),
+        RiskCurves::File(_) => None,
+    };
+    let is_ordered = fits.is_some_and(|fits| fits.fit == FitKind::Ordered);
+    let has_samples = fits.is_some_and(|fits| fits.replicates.is_none());
+    let is_placed = hazard.measure.place().is_some() || request.hazard_at.is_some();
+    let has_end = matches!(hazard.hazard, Hazard::Points(_));
+    let accepts = |one: &ObjectRisk| one.accepted_rate.or(one.accepted_exceed_rate).is_some();
+    let costs = objects.iter().filter_map(|one| one.cost.as_ref());
+    let without_quantity = costs.filter(|cost| !cost.has_quantity).count();
+    let options = options.into_iter().flatten();
+    let without_life = options.filter(|row| row.life_years.is_none()).count();
+    let all = [
+        (request.years.is_none(), Assumed::Years(DEFAULT_YEARS)),
+        (is_ordered, Assumed::OneDispersion),
+        (has_samples, Assumed::Replicates(DEFAULT_REPLICATES)),
+        (!is_placed, Assumed::Place),
+        (has_end, Assumed::HazardGoesOn),
+        (!objects.iter().any(accepts), Assumed::NothingAccepted),
+        (without_quantity > 0, Assumed::OneOfEach(without_quantity)),
+        (without_life > 0, Assumed::PaidOnce(without_life)),
+    ];
+    let all = all.into_iter().filter(|(is_so, _)| *is_so);
+    all.map(|(_, assumed)| assumed).collect()
 }
 
 /// A hazard says how often motions of its own measure happen, and nothing about another one. `line` is
@@ -167,30 +259,23 @@ pub(crate) fn check_finite(
     Ok(())
 }
 
-/// A warning if the hazard curve begins above intensities at which objects reach limit states.
-pub(crate) fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
+fn ids<'o>(objects: impl Iterator<Item = &'o ObjectRisk>) -> Vec<String> {
+    objects.map(|one| one.id.clone()).collect()
+}
+
+/// Objects that reach limit states below the first point of the hazard curve.
+pub(crate) fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Doubt> {
     let Hazard::Points(points) = &hazard.hazard else {
         return None;
     };
     let is_cut = |object: &&ObjectRisk| object.states.iter().any(|one| one.rates.begins_too_high());
-    let cut: Vec<&ObjectRisk> = objects.iter().filter(is_cut).collect();
-    let (first, one) = (points.first()?, cut.first()?);
-    let rest = if cut.len() > 1 {
-        format!(" and {} more", cut.len() - 1)
-    } else {
-        String::new()
-    };
-    Some(format!(
-        "the hazard curve begins at {}, but weaker motions also reach limit states of {}{rest}: their rates are at \
-         least those stated; give a hazard curve that begins at a lower intensity",
-        hazard.measure.value_words(first.intensity),
-        shorten(&one.id)
-    ))
+    let ids = ids(objects.iter().filter(is_cut));
+    let first = points.first().filter(|_| !ids.is_empty())?.intensity;
+    Some(Doubt::BeginsTooHigh { first, ids })
 }
 
-/// A warning if much of a rate is above the last point of the hazard curve, where its last segment goes
-/// on.
-pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<String> {
+/// Objects with much of a rate above the last point of the hazard curve.
+pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Doubt> {
     let Hazard::Points(points) = &hazard.hazard else {
         return None;
     };
@@ -203,139 +288,69 @@ pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> O
             .map_or(0.0, |all| 1.0 - all.1 / all.0)
     };
     let largest = |object: &ObjectRisk| object.states.iter().map(share).fold(0.0, f64::max);
-    let cut: Vec<&ObjectRisk> = objects
-        .iter()
-        .filter(|object| largest(object) > BEYOND)
-        .collect();
-    let (last, one) = (points.last()?, cut.first()?);
-    let rest = if cut.len() > 1 {
-        format!(" and {} more", cut.len() - 1)
-    } else {
-        String::new()
-    };
-    Some(format!(
-        "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}{rest}: the slope of the last \
-         two points was continued, and the upper bound of the rate is that of motions which are all as strong as any; \
-         give a hazard curve up to stronger motions",
-        hazard.measure.value_words(rounded_value(last.intensity)),
-        percent_significant(largest(one), 2),
-        shorten(&one.id)
-    ))
+    let mut cut = objects.iter().filter(|object| largest(object) > BEYOND);
+    let (last, ids) = (points.last()?.intensity, ids(cut.clone()));
+    let share = largest(cut.next()?);
+    Some(Doubt::EndsTooLow { last, share, ids })
 }
 
-/// Warnings about rates of which more than a tenth is between two intensities of the runs, or below or
-/// above all of them; the last one says which intensities would tell them if
-/// nothing unexpected happens between those of the runs.
-pub(crate) fn not_resolved(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Vec<String> {
-    let words = |x: f64| hazard.measure.value_words(rounded_value(x));
+/// Rates of which more than a tenth is between two intensities of the runs, or below or above all of them; at
+/// last, which intensities would tell them.
+pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<Doubt> {
     let kinds: [fn(Gap) -> bool; 3] = [
         |gap| matches!(gap, Gap::Below { .. }),
         |gap| matches!(gap, Gap::Between(..)),
         |gap| matches!(gap, Gap::Above(_)),
     ];
-    let open = |object: &'_ ObjectRisk| {
-        object
-            .states
-            .iter()
-            .filter_map(|one| one.open)
-            .collect::<Vec<Open>>()
+    let open = |object: &ObjectRisk| -> Vec<Open> {
+        object.states.iter().filter_map(|one| one.open).collect()
     };
-    let said = kinds.into_iter().filter_map(|is_kind| {
-        let gap = |object: &ObjectRisk| open(object).into_iter().filter_map(|one| one.gap).find(|gap| is_kind(*gap));
-        let open: Vec<(&str, Gap)> =
-            objects.iter().filter_map(|object| Some((object.id.as_str(), gap(object)?))).collect();
-        let (id, gap) = *open.first()?;
-        let rest = if open.len() > 1 { format!(" and {} more", open.len() - 1) } else { String::new() };
-        let (place, remedy) = match gap {
-            Gap::Below { lowest, .. } => {
-                (format!("below {}, the lowest intensity of the runs", words(lowest)), "run lower intensities")
-            }
-            Gap::Between(a, b) => {
-                (format!("between {} and {}, with no run between them", words(a), words(b)), "run intensities there")
-            }
-            Gap::Above(x) => {
-                (format!("above {}, the highest intensity of the runs", words(x)), "run higher intensities")
-            }
+    let found = kinds.into_iter().filter_map(|is_kind| {
+        let gap = |object: &&ObjectRisk| {
+            let mut gaps = open(object).into_iter().filter_map(|one| one.gap);
+            gaps.find(|gap| is_kind(*gap))
         };
-        Some(format!(
-            "more than a tenth of a rate of {}{rest} may be {place}: such rates are only known between bounds, and so \
-             is what they cost; {remedy}",
-            shorten(id)
-        ))
+        let ids = ids(objects.iter().filter(|object| gap(object).is_some()));
+        let gap = objects.iter().find_map(|object| gap(&object))?;
+        Some(Doubt::NotResolved { gap, ids })
     });
-    let mut said: Vec<String> = said.collect();
+    let mut found: Vec<Doubt> = found.collect();
     // Also those that tell the other rates, so that none is lost.
     let levels = objects
         .iter()
         .flat_map(open)
         .filter_map(|one| one.levels)
         .reduce(Levels::with);
-    if let Some(levels) = levels.filter(|_| !said.is_empty()) {
-        // A little outwards, so that rounding leaves out none.
-        let (from, to) = (words(0.999 * levels.from), words(1.001 * levels.to));
-        said.push(format!(
-            "runs at these intensities would probably tell these rates: `scales = \"{from}:{to}:{}\"`",
-            levels.count()
-        ));
-    }
-    said
+    let levels = levels.filter(|_| !found.is_empty());
+    found.extend(levels.map(|levels| Doubt::WouldTell {
+        from: levels.from,
+        to: levels.to,
+        count: levels.count(),
+    }));
+    found
 }
 
 /// Objects of one list that the other does not have.
-pub(crate) fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<String> {
+pub(crate) fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<Doubt> {
     let Some(costs) = costs else {
         return Vec::new();
     };
-    let listed = |ids: Vec<&str>, what: &str| {
-        let first = ids.first()?;
-        let rest = if ids.len() > 1 {
-            format!(" and {} more", ids.len() - 1)
-        } else {
-            String::new()
-        };
-        Some(format!(
-            "{} {what}: {first}{rest}",
-            counted(ids.len(), "object")
-        ))
-    };
-    let priced: HashSet<&str> = costs.rows.iter().map(|row| row.id.as_str()).collect();
-    let curved: HashSet<&str> = curves.iter().map(|one| one.id.as_str()).collect();
-    let without_costs = curves
-        .iter()
-        .filter(|one| !priced.contains(one.id.as_str()));
-    let without_curves = costs
-        .rows
-        .iter()
-        .filter(|row| !curved.contains(row.id.as_str()));
-    [
-        listed(
-            without_costs.map(|one| one.id.as_str()).collect(),
-            "without a row in the inventory",
-        ),
-        listed(
-            without_curves.map(|row| row.id.as_str()).collect(),
-            "of the inventory without a fragility",
-        ),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    let priced: HashSet<&String> = costs.rows.iter().map(|row| &row.id).collect();
+    let curved: HashSet<&String> = curves.iter().map(|one| &one.id).collect();
+    let curves = curves.iter().map(|one| &one.id);
+    let rows = costs.rows.iter().map(|row| &row.id);
+    let without_costs: Vec<String> = curves.filter(|id| !priced.contains(id)).cloned().collect();
+    let without_curves: Vec<String> = rows.filter(|id| !curved.contains(id)).cloned().collect();
+    let some = |ids: Vec<String>| Some(ids).filter(|ids| !ids.is_empty());
+    let without_costs = some(without_costs).map(Doubt::WithoutCosts).into_iter();
+    without_costs
+        .chain(some(without_curves).map(Doubt::WithoutFragility))
+        .collect()
 }
 
-/// Objects whose accepted rates could not all be compared, with the first reason.
-pub(crate) fn unjudged(objects: &[ObjectRisk]) -> Option<String> {
-    let open: Vec<(&str, &str)> = objects
-        .iter()
-        .filter_map(|one| Some((one.id.as_str(), one.why?)))
-        .collect();
-    let (id, why) = open.first()?;
-    let rest = if open.len() > 1 {
-        format!(" and {} more", open.len() - 1)
-    } else {
-        String::new()
-    };
-    Some(format!(
-        "{}{rest}: an accepted rate was not compared with anything: {why}",
-        shorten(id)
-    ))
+/// Objects whose accepted rates could not all be compared.
+pub(crate) fn unjudged(objects: &[ObjectRisk]) -> Option<Doubt> {
+    let why = objects.iter().find_map(|one| one.why)?;
+    let ids = ids(objects.iter().filter(|one| one.why.is_some()));
+    Some(Doubt::Unjudged { why, ids })
 }

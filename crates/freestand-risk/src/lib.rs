@@ -2,7 +2,7 @@
 //! hazards, losses, and the folders of other programs.
 
 pub mod costs;
-mod doubts;
+pub mod doubts;
 pub mod export;
 pub mod fragility;
 pub mod objects;
@@ -14,7 +14,6 @@ mod request;
 mod risk;
 #[cfg(test)]
 mod tests;
-pub mod words;
 
 pub use costs::load_changed;
 pub use report::RiskReport;

@@ -5,19 +5,16 @@ use freestand::risk::{
     AnnualRates, Bin, Hazard, annual_rate, deaggregation, expected_annual_loss,
     probability_in_years,
 };
-use freestand_input::words::{name_of, number};
 use freestand_output::answer_of;
 use freestand_output::facts::Facts;
 
 use crate::fragility::{ObjectCurves, ObjectFragility};
-use freestand_inventory::too_mild::TOO_MILD;
 
 use super::costs::{CostRow, Effect, NotCounted};
 use super::rates::{Open, StateRates, least_fall, object_rates};
-use super::words::rate_words;
 
 /// The states whose curves enter a loss.
-pub const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
+pub(crate) const LOSS_STATES: [LimitState; 2] = [LimitState::Exceeds, LimitState::Overturns];
 
 /// Whether an object fails more often than accepted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
@@ -29,14 +26,13 @@ pub enum RiskVerdict {
     Exceeds,
 }
 
-impl RiskVerdict {
-    /// The words of the console.
-    pub fn words(self) -> &'static str {
-        match self {
-            Self::Accepted => "accepted",
-            Self::Exceeds => "more often than accepted",
-        }
-    }
+/// Why an accepted rate has no verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unjudged {
+    /// There is no curve of the limit state.
+    NoCurve(LimitState),
+    /// Its rate is not known.
+    UnknownRate(LimitState),
 }
 
 /// How often a limit state is reached.
@@ -59,49 +55,6 @@ pub struct StateRisk {
 }
 
 impl StateRisk {
-    /// The rate, the probability and the bounds, for people.
-    pub fn words(&self, years: &str) -> String {
-        let AnnualRates {
-            annual_rate,
-            annual_rate_lower,
-            annual_rate_upper,
-            ..
-        } = self.rates;
-        let at_most = |most: f64| annual_rate_upper.filter(|upper| *upper > most);
-        let Some(rate) = annual_rate else {
-            let least = (annual_rate_lower > 0.0)
-                .then(|| format!(", at least {} a year", number(annual_rate_lower, 3)));
-            let most = at_most(0.0).map(|upper| format!(", at most {} a year", number(upper, 3)));
-            return format!(
-                "not known{}{}",
-                least.unwrap_or_default(),
-                most.unwrap_or_default()
-            );
-        };
-        // Where motions below the runs have no bound, the stated rate may be too large as well as too small.
-        let is_least = self.rates.begins_too_high()
-            || self.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
-        let least = if is_least { "at least " } else { "" };
-        let words = rate_words(rate, self.ci95, self.probability.unwrap_or(0.0), years);
-        // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
-        let is_said = self
-            .ci95
-            .zip(at_most(0.0))
-            .is_some_and(|((_, high), most)| self.rates.is_bound() && most <= 1.01 * high);
-        let bounds = if is_said {
-            None
-        } else if self.rates.is_bound() && annual_rate_lower < 0.99 * rate {
-            let least = number(annual_rate_lower, 3);
-            Some(match at_most(0.0) {
-                Some(most) => format!("; between {least} and {} a year", number(most, 3)),
-                None => format!("; at least {least} a year"),
-            })
-        } else {
-            at_most(1.01 * rate).map(|upper| format!("; up to {} a year", number(upper, 3)))
-        };
-        format!("{least}{words}{}", bounds.unwrap_or_default())
-    }
-
     /// Whether the rate is certainly below or certainly above the accepted one; `None` if its
     /// uncertainty is not known.
     fn is_certain(&self, accepted: f64) -> Option<bool> {
@@ -204,7 +157,7 @@ pub struct ObjectRisk {
     /// Whether the verdict holds over the whole interval.
     pub is_certain: Option<bool>,
     /// Why an accepted rate has no verdict.
-    pub why: Option<&'static str>,
+    pub why: Option<Unjudged>,
     /// What its failures cost.
     pub cost: Option<CostRow>,
     /// What its failures cost a year on average.
@@ -218,14 +171,14 @@ pub struct ObjectRisk {
     /// The least that they can be; `None` where their probability is not known.
     pub least_casualties: Option<f64>,
     /// The ends of them, the upper one where the rate of overturning has one.
-    casualty_bounds: Option<(f64, Option<f64>)>,
+    pub casualty_bounds: Option<(f64, Option<f64>)>,
     /// Kinds of costs that were not given.
     pub not_counted: Vec<NotCounted>,
 }
 
 impl ObjectRisk {
     /// From its fragility, its costs and the hazard.
-    pub fn new(
+    pub(crate) fn new(
         curves: &ObjectCurves,
         fit: Option<&ObjectFragility>,
         cost: Option<&CostRow>,
@@ -366,15 +319,6 @@ impl ObjectRisk {
             .is_none_or(StateRisk::is_at_least)
     }
 
-    /// The words after a verdict that is not certain.
-    pub fn uncertainty_words(&self) -> &'static str {
-        match self.is_certain {
-            Some(true) => "",
-            Some(false) => ", not certain",
-            None => ", uncertainty not known",
-        }
-    }
-
     /// The accepted rates that a verdict is about: those that are not kept, or all of them if they are.
     pub fn named_limits(&self) -> Vec<Limit> {
         let accepted = [self.accepted_exceed_rate, self.accepted_rate];
@@ -431,35 +375,6 @@ impl ObjectRisk {
     }
 }
 
-answer_of!(ObjectRisk as object {
-    id: String = object.id.clone();
-    limit_states: Vec<&StateRisk> = object.states.iter().collect();
-    /// Why the object may fail more often than its curves say.
-    caution: Option<&'static str> = object.curves.caution.map(|why| name_of(TOO_MILD, why));
-    /// Which intensities contribute to the rate.
-    deaggregation: Vec<Contribution<'_>> = object.deaggregation.iter().map(Contribution).collect();
-    /// The accepted rate of overturning.
-    accepted_annual_rate: Option<f64> = object.accepted_rate;
-    accepted_exceed_annual_rate: Option<f64> = object.accepted_exceed_rate;
-    verdict: Option<&'static str> = object.verdict.map(<&str>::from);
-    /// Whether the verdict holds within the 95 % interval.
-    certain: Option<bool> = object.is_certain;
-    /// Why there is no verdict.
-    why: Option<&'static str> = object.why;
-    expected_annual_loss: Option<f64> = object.expected_annual_loss;
-    expected_annual_loss_lower: Option<f64> = object.loss.map(|loss| loss.least);
-    expected_annual_loss_upper: Option<f64> = object.loss.and_then(|loss| loss.most);
-    /// Whether only bounds of the loss are known.
-    is_bound: bool = object.loss.is_some_and(|loss| loss.is_bound());
-    /// Whether it may be larger than stated.
-    is_at_least: bool = object.is_at_least;
-    expected_annual_casualties: Option<f64> = object.expected_annual_casualties;
-    expected_annual_casualties_lower: Option<f64> = object.casualty_bounds.map(|bounds| bounds.0);
-    expected_annual_casualties_upper: Option<f64> = object.casualty_bounds.and_then(|bounds| bounds.1);
-    /// Costs that are missing.
-    not_counted: Vec<&'static str> = object.not_counted.iter().map(|part| part.words()).collect();
-});
-
 answer_of!(StateRisk as state {
     limit_state: &'static str = state.limit_state.name();
     annual_rate: Option<f64> = state.rates.annual_rate;
@@ -476,17 +391,6 @@ answer_of!(StateRisk as state {
     /// The chance in these years.
     probability: Option<f64> = state.probability;
     years: f64 = state.years;
-});
-
-/// The part of a rate that comes from some intensities.
-#[derive(Clone, Copy)]
-struct Contribution<'r>(&'r Bin);
-
-answer_of!(Contribution<'_> as bin {
-    im_low: f64 = bin.0.low;
-    im_high: Option<f64> = bin.0.high;
-    annual_rate: f64 = bin.0.annual_rate;
-    share: f64 = bin.0.share;
 });
 
 /// The interval over the motions together with the bounds that the runs leave, and not above the most that
@@ -511,7 +415,7 @@ struct Judged {
     verdict: Option<RiskVerdict>,
     is_certain: Option<bool>,
     /// Why there is no verdict on an accepted rate.
-    why: Option<&'static str>,
+    why: Option<Unjudged>,
 }
 
 fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f64>) -> Judged {
@@ -523,14 +427,10 @@ fn judged(states: &[StateRisk], accepted: Option<f64>, accepted_exceed: Option<f
         match one.and_then(|one| Some((one.verdict(accepted)?, one.is_certain(accepted)))) {
             Some(here) => found.push(here),
             None => {
-                why = why.or(Some(
-                    match (state == LimitState::Overturns, one.is_some()) {
-                        (false, false) => "there is no curve of exceeding",
-                        (false, true) => "the rate of exceeding is not known",
-                        (true, false) => "there is no curve of overturning",
-                        (true, true) => "the rate of overturning is not known",
-                    },
-                ));
+                why = why.or(Some(match one {
+                    Some(_) => Unjudged::UnknownRate(state),
+                    None => Unjudged::NoCurve(state),
+                }));
             }
         }
     }
@@ -600,23 +500,11 @@ impl LossBounds {
     pub fn stated(&self, is_at_least: bool) -> f64 {
         if is_at_least { self.least } else { self.best }
     }
-
-    /// The words after a loss of which only bounds are known.
-    pub fn words(&self, unit: &str) -> String {
-        match self.most.filter(|_| self.is_bound()) {
-            Some(most) => format!(
-                "; between {} and {} {unit}",
-                number(self.least, 4),
-                number(most, 4)
-            ),
-            None => String::new(),
-        }
-    }
 }
 
 /// What an option leaves of the loss of an object, and what it avoids.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Avoided {
+pub(crate) struct Avoided {
     /// Expected annual loss with the option.
     pub after: LossBounds,
     /// The least annual loss that the option avoids; `None` where nothing bounds the loss with it.
@@ -721,7 +609,7 @@ fn loss_between(
 
 /// Expected annual loss of an object. A rate that is not known counts with the least and with the most
 /// that it can be.
-pub fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
+pub(crate) fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBounds {
     let rates = loss_rates(curves, 1.0, hazard);
     loss_between(
         rates.map(|rates| rates.map(ends_of)),
@@ -743,7 +631,12 @@ pub fn loss_of(curves: &ObjectCurves, cost: &CostRow, hazard: &Hazard) -> LossBo
 /// Motions below the first point of the hazard count neither without the option nor with it, unless
 /// they would add more to the rate with it: the difference is then a loss that it causes. A step
 /// counts in the middle of its ends, as everywhere.
-pub fn avoided(curves: &ObjectCurves, effect: &Effect, cost: &CostRow, hazard: &Hazard) -> Avoided {
+pub(crate) fn avoided(
+    curves: &ObjectCurves,
+    effect: &Effect,
+    cost: &CostRow,
+    hazard: &Hazard,
+) -> Avoided {
     let before = loss_of(curves, cost, hazard);
     let without = loss_rates(curves, 1.0, hazard);
     let (changed, factor) = match effect {

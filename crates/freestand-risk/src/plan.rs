@@ -12,6 +12,7 @@ use freestand_study::run::Progress;
 use super::costs::OptionRow;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::request::RiskRequest;
+use crate::doubts::{Doubt, OpenOptions};
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
 use freestand_inventory::Rating;
@@ -152,7 +153,7 @@ answer! {
 }
 
 /// What every option is worth, and the plan within the budget.
-pub fn measures(
+pub(crate) fn measures(
     request: &RiskRequest,
     options: &[OptionRow],
     objects: &[ObjectRisk],
@@ -301,10 +302,6 @@ pub struct Totals {
     /// Whether no plan is worth more.
     pub is_optimal: bool,
 }
-
-/// What to do where a rate has no upper bound.
-const REMEDY: &str =
-    "run it under more and weaker motions, or give a hazard curve that begins at a lower intensity";
 
 /// The options of a budget: those that avoid most falls of objects rated high for life safety, with what is
 /// left those of objects rated medium, and with what is left then those that are worth most.
@@ -487,35 +484,21 @@ impl Measures {
             .collect()
     }
 
-    /// What to know about options of which something is not known.
-    pub fn warnings(&self) -> Vec<String> {
+    /// The options of which something is not known.
+    pub(crate) fn doubts(&self) -> Vec<Doubt> {
         let is_life =
             |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
         let lives: Vec<&Worth> = self.ranking.iter().filter(is_life).collect();
-        let named = |unknown: &[&Worth]| {
-            let first = unknown.first()?;
-            let rest = if unknown.len() > 1 {
-                format!(" and {} more", unknown.len() - 1)
-            } else {
-                String::new()
-            };
-            Some(format!(
-                "\"{}\" for {}{rest}",
-                shorten(&first.option),
-                shorten(&first.id)
-            ))
+        let open = |unknown: &[&Worth]| {
+            let (first, rest) = unknown.split_first()?;
+            Some(OpenOptions {
+                option: first.option.clone(),
+                id: first.id.clone(),
+                more: rest.len(),
+            })
         };
-        let worth = named(&self.unknown()).map(|named| {
-            format!(
-                "the worth of the option {named} is not known: a rate with the option has no upper bound, so the option is \
-                 ranked last and is not chosen; {REMEDY}"
-            )
-        });
-        let falls = named(&lives).map(|named| {
-            format!(
-                "how many falls the option {named} avoids is not known, so it is not chosen for the sake of people; {REMEDY}"
-            )
-        });
+        let worth = open(&self.unknown()).map(Doubt::UnknownWorth);
+        let falls = open(&lives).map(Doubt::UnknownFalls);
         worth.into_iter().chain(falls).collect()
     }
 

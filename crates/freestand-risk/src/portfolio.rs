@@ -9,16 +9,14 @@ use freestand::risk::{
     loss_at_return_period, loss_exceedance,
 };
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::quantity::shorten;
-use freestand_input::words::counted;
 use freestand_output::{answer, answer_of};
 
-use crate::fragility::{At, FragilityReport, Measure, OutcomeTable};
+use crate::fragility::{At, FragilityReport, OutcomeTable};
 
 use super::costs::{CostRow, Costs};
 use super::objects::LOSS_STATES;
 use super::objects::{LossBounds, ObjectRisk};
-use super::words::rounded_value;
+use crate::doubts::{Doubt, NoPortfolio};
 use crate::fragility::MeasuredHazard;
 
 /// The return periods whose losses are stated \[years\].
@@ -95,23 +93,23 @@ struct Worlds {
 }
 
 /// The losses of all objects; `None` without costs, and where there are no worlds that objects
-/// share, with a warning that says why.
+/// share, with a doubt that says why.
 ///
 /// # Errors
 /// A run that is missing, and intensities that the hazard does not tell apart.
-pub fn portfolio(
+pub(crate) fn portfolio(
     report: &FragilityReport,
     costs: &Costs,
     objects: &[ObjectRisk],
     hazard: &MeasuredHazard,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<Doubt>,
 ) -> Result<Option<Portfolio>, Problem> {
     let table = &report.table;
     let priced = priced(table, costs, objects);
     if priced.is_empty() {
         return Ok(None);
     }
-    let Some(worlds) = shared_worlds(table, &priced, hazard, warnings)? else {
+    let Some(worlds) = shared_worlds(table, &priced, hazard, doubts)? else {
         return Ok(None);
     };
     let one = |(class, priced): (&OutcomeClass, &Priced)| match class {
@@ -127,14 +125,14 @@ pub fn portfolio(
             loss: classes.iter().zip(&priced).map(one).sum(),
         })
         .collect();
-    let fails_at = fails_at_lowest(&worlds, table.measure);
+    let fails_at = fails_at_lowest(&worlds);
     let fails_at_lowest = fails_at.is_some();
     let is_cautious = priced
         .iter()
         .filter_map(|one| one.risk)
         .any(|one| one.curves.caution.is_some());
     let is_at_least = fails_at_lowest || is_cautious;
-    warnings.extend(fails_at);
+    doubts.extend(fails_at);
     let curve = loss_exceedance(&all);
     let losses: Vec<f64> = curve.iter().map(|point| point.loss).collect();
     let ends = Ends::new(&worlds, &all, &priced, hazard);
@@ -147,7 +145,7 @@ pub fn portfolio(
         bounds,
         least,
         most: (!is_at_least).then_some(most),
-        independent: independent(&worlds, &priced, &losses, warnings),
+        independent: independent(&worlds, &priced, &losses, doubts),
         curve,
         is_at_least,
         fails_at_lowest,
@@ -224,7 +222,7 @@ impl<'w> Ends<'w> {
     }
 }
 
-/// The worlds of the outcomes; `None`, with a warning, where objects share none.
+/// The worlds of the outcomes; `None`, with a doubt, where objects share none.
 ///
 /// A world with a run that could not be calculated is left out for all objects, and the other
 /// motions at its intensity count for it: what one of its objects costs is not known, so neither is
@@ -233,24 +231,18 @@ fn shared_worlds(
     table: &OutcomeTable,
     priced: &[Priced],
     hazard: &MeasuredHazard,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<Doubt>,
 ) -> Result<Option<Worlds>, Problem> {
-    let mut without = |why: &str| {
-        warnings.push(format!(
-            "{why}: the losses of all objects together were not calculated"
-        ));
+    let mut without = |why: NoPortfolio| {
+        doubts.push(Doubt::NoPortfolio(why));
         Ok(None)
     };
     if hazard.at != At::Ground {
-        return without(
-            "the hazard curve is that of a measure of the floor, and all objects share only the motions of the ground",
-        );
+        return without(NoPortfolio::OfFloor);
     }
     let motions = table.motions.len();
     if motions == 0 {
-        return without(
-            "the outcomes are counts, which do not say which objects fail under the same motion",
-        );
+        return without(NoPortfolio::Counts);
     }
     let mut places: Vec<Option<usize>> = vec![None; table.objects.len()];
     for (place, one) in priced.iter().enumerate() {
@@ -266,9 +258,7 @@ fn shared_worlds(
     levels.sort_by(f64::total_cmp);
     levels.dedup();
     if levels.len() < 2 {
-        return without(
-            "the outcomes have a single intensity, and motions of others would cause losses too",
-        );
+        return without(NoPortfolio::OneIntensity);
     }
     let mut classes: Vec<Option<OutcomeClass>> = vec![None; motions * levels.len() * priced.len()];
     let wanted = classes.len();
@@ -280,9 +270,7 @@ fn shared_worlds(
         }
     }
     if (classes.iter().flatten().count() as f64) < (1.0 - NO_STRIPES) * wanted as f64 {
-        return without(
-            "the motions were not all scaled to the same intensities, so there are no worlds that all objects share",
-        );
+        return without(NoPortfolio::NoStripes);
     }
     check_missing(table, priced, &levels, &classes)?;
     let strips = strip_rates(&levels, |x| hazard.hazard.annual_rate(x)).map_err(|error| {
@@ -313,20 +301,13 @@ fn shared_worlds(
         .find(|(_, count)| **count == 0)
         .map(|(level, _)| *level)
     {
-        let at = table.measure.value_words(level);
-        return without(&format!(
-            "at {at} every motion has a run that could not be calculated"
-        ));
+        return without(NoPortfolio::NotCalculated(level));
     }
     if left_out > 0 {
-        warnings.push(format!(
-            "{left_out} of {} {} a run that could not be calculated and {} left out of the losses of all objects \
-             together; the other motions at the same intensity count for {}",
-            counted(motions * levels.len(), "world"),
-            if left_out == 1 { "has" } else { "have" },
-            if left_out == 1 { "was" } else { "were" },
-            if left_out == 1 { "it" } else { "them" },
-        ));
+        doubts.push(Doubt::WorldsLeftOut {
+            left_out,
+            worlds: motions * levels.len(),
+        });
     }
     Ok(Some(Worlds {
         levels,
@@ -373,9 +354,9 @@ fn check_missing(
     Ok(())
 }
 
-/// What to say where something fails at the lowest intensity that counts: intensities below
-/// it, and below the first point of the hazard curve, are not counted.
-fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
+/// Whether something fails at the lowest intensity that counts: intensities below it, and below the
+/// first point of the hazard curve, are not counted.
+fn fails_at_lowest(worlds: &Worlds) -> Option<Doubt> {
     let lowest = worlds
         .strips
         .iter()
@@ -388,26 +369,22 @@ fn fails_at_lowest(worlds: &Worlds, measure: Measure) -> Option<String> {
         worlds.all.iter().filter(fails).count(),
         worlds.counts.get(lowest).copied().unwrap_or(0),
     );
-    (failing as f64 > SMALL * all as f64).then(|| {
-        format!(
-            "at the lowest intensity that is counted, {}, an object fails in {} of {}: weaker motions cause losses too, \
-             so the losses of all objects are at least those stated; add lower intensities to the outcomes, and to \
-             the hazard curve if it begins there",
-            worlds.levels.get(lowest).map_or(String::new(), |level| measure.value_words(rounded_value(*level))),
-            failing,
-            counted(all, "motion")
-        )
+    let lowest = *worlds.levels.get(lowest)?;
+    (failing as f64 > SMALL * all as f64).then_some(Doubt::FailsAtLowest {
+        lowest,
+        failing,
+        motions: all,
     })
 }
 
 /// How often each loss is reached if, given the intensity, objects fail independently of each
 /// other, by their curves; an object without a curve counts with the least that its outcomes allow,
-/// with a warning.
+/// with a doubt.
 fn independent(
     worlds: &Worlds,
     priced: &[Priced],
     losses: &[f64],
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<Doubt>,
 ) -> Vec<LossPoint> {
     let shares_at = |level: f64| -> Vec<LossShares> {
         priced
@@ -421,7 +398,7 @@ fn independent(
         .zip(&worlds.strips)
         .map(|(level, strip)| (*strip, shares_at(*level)))
         .collect();
-    let unknown: Vec<&str> = priced
+    let unknown: Vec<String> = priced
         .iter()
         .filter_map(|one| one.risk)
         .filter(|one| {
@@ -430,20 +407,10 @@ fn independent(
                 .filter_map(|state| one.curves.curve(state))
                 .any(is_unknown)
         })
-        .map(|one| one.id.as_str())
+        .map(|one| one.id.clone())
         .collect();
-    if let Some((first, rest)) = unknown.split_first() {
-        let more = if rest.is_empty() {
-            String::new()
-        } else {
-            format!(" and {} more", rest.len())
-        };
-        warnings.push(format!(
-            "{}{more}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \
-             \"not-increasing\"), so the losses of objects that fail independently count the least that they can be; \
-             run more intensities",
-            shorten(first)
-        ));
+    if !unknown.is_empty() {
+        doubts.push(Doubt::LeastAlone(unknown));
     }
     independent_loss_exceedance(&levels, losses)
 }
@@ -573,7 +540,7 @@ mod tests {
 
     use super::*;
     use crate::fragility::FragilityRequest;
-    use crate::fragility::HazardSource;
+    use crate::fragility::{HazardSource, Measure};
     use crate::{RiskCurves, RiskReport, RiskRequest, risk};
 
     /// λ = 10⁻² (x/0.1 m/s)⁻², and 1000 for each object that overturns.
@@ -650,14 +617,8 @@ mod tests {
                 "{curve:?}"
             );
         }
-        assert!(
-            report
-                .warnings
-                .iter()
-                .all(|warning| !warning.contains("independently")),
-            "{:?}",
-            report.warnings
-        );
+        let is_least = |doubt: &Doubt| matches!(doubt, Doubt::LeastAlone(_));
+        assert!(!report.doubts.iter().any(is_least), "{:?}", report.doubts);
     }
 
     /// Without a curve an object counts with the least that is known, and that is said.
@@ -666,12 +627,8 @@ mod tests {
         let falling = [["overturned"; 2], ["rocked", "overturned"], ["rocked"; 2]];
         let bounded = [["rocked"; 2], ["rocked", "overturned"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", bounded), ("b", falling)])).unwrap();
-        let said = "a and 1 more: the outcomes give no curve";
-        assert!(
-            report.warnings.iter().any(|warning| warning.contains(said)),
-            "{:?}",
-            report.warnings
-        );
+        let both = Doubt::LeastAlone(vec!["a".to_owned(), "b".to_owned()]);
+        assert!(report.doubts.contains(&both), "{:?}", report.doubts);
         let found = report.portfolio.unwrap();
         // Only the strongest motions surely overturn a.
         assert!(
@@ -689,12 +646,11 @@ mod tests {
         unknown[1][0] = "unresolved";
         let known = [["rocked"; 2], ["overturned", "rocked"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
-        let said = "1 of 6 worlds has a run that could not be calculated and was left out";
-        assert!(
-            report.warnings.iter().any(|warning| warning.contains(said)),
-            "{:?}",
-            report.warnings
-        );
+        let doubt = Doubt::WorldsLeftOut {
+            left_out: 1,
+            worlds: 6,
+        };
+        assert!(report.doubts.contains(&doubt), "{:?}", report.doubts);
         let found = report.portfolio.unwrap();
         assert_eq!(found.worlds, 5);
         // At 0.2 m/s nothing overturns in the motion that is left.
@@ -707,12 +663,12 @@ mod tests {
 
         unknown[1][1] = "unresolved";
         let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
-        let said = "at 0.2 m/s every motion has a run that could not be calculated: the losses of all objects";
+        let why = NoPortfolio::NotCalculated(0.2);
         assert!(report.portfolio.is_none());
         assert!(
-            report.warnings.iter().any(|warning| warning.contains(said)),
+            report.doubts.contains(&Doubt::NoPortfolio(why)),
             "{:?}",
-            report.warnings
+            report.doubts
         );
         // A row that is not there at all is a mistake.
         let missing = table(&[("a", MIXED), ("b", known)]).replace("b,m1,0.2,rocked\n", "");
@@ -754,19 +710,16 @@ mod tests {
     fn outcomes_without_common_worlds_say_why() {
         let counts = "object,pgv [m/s],rocked,overturned\na,0.1,4,1\na,0.2,2,3\na,0.4,1,4\n";
         let one = "object,motion,pgv [m/s],outcome\na,m,0.1,rocked\na,n,0.1,overturned\n";
-        for (text, said) in [
-            (counts, "the outcomes are counts"),
-            (one, "the outcomes have a single intensity"),
+        for (text, why) in [
+            (counts, NoPortfolio::Counts),
+            (one, NoPortfolio::OneIntensity),
         ] {
             let report = risk_of(text).unwrap();
             assert!(report.portfolio.is_none());
             assert!(
-                report
-                    .warnings
-                    .iter()
-                    .any(|warning| warning.starts_with(said)),
+                report.doubts.contains(&Doubt::NoPortfolio(why)),
                 "{:?}",
-                report.warnings
+                report.doubts
             );
         }
     }

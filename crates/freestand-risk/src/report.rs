@@ -2,14 +2,13 @@
 
 use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
-use freestand_output::answer::Input;
-use freestand_output::answer_of;
 use freestand_output::facts::table;
 use freestand_output::table::Table;
 
+use crate::doubts::{Assumed, Doubt};
 use crate::fragility::MeasuredHazard;
 use crate::objects::{LossBounds, ObjectRisk, RiskVerdict};
-use crate::plan::{Chosen, Measures, Worth};
+use crate::plan::Measures;
 use crate::portfolio::{InCurrency, Portfolio};
 
 /// An object of the inventory that has no fragility, so that nothing about it is counted.
@@ -22,7 +21,16 @@ pub struct NotRun {
     /// How many objects it stands for.
     pub quantity: f64,
     /// Why it was not run, as far as that is known.
-    pub why: Option<String>,
+    pub why: Option<WhyNotRun>,
+}
+
+/// Why an object was not run.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum WhyNotRun {
+    /// What the table of objects that were left out of the runs says.
+    LeftOut(String),
+    /// What the inventory says of its anchors.
+    Anchored(String),
 }
 
 /// The answer.
@@ -43,43 +51,12 @@ pub struct RiskReport {
     /// Objects of the inventory that have no fragility.
     pub not_run: Vec<NotRun>,
     /// What was used because nobody stated it.
-    pub assumptions: Vec<String>,
+    pub assumptions: Vec<Assumed>,
     /// The files that were read.
     pub inputs: Vec<InputFile>,
     /// What to know beside the result.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<Doubt>,
 }
-
-answer_of!(NotRun as object {
-    id: String = object.id.clone();
-    item: String = object.item.clone();
-    quantity: f64 = object.quantity;
-    /// Why it was not run, as far as that is known.
-    why: Option<String> = object.why.clone();
-});
-
-answer_of!(RiskReport as report {
-    version: &'static str = env!("CARGO_PKG_VERSION");
-    /// The files that were read.
-    inputs: Vec<Input> = report.inputs.iter().map(Input::from).collect();
-    /// Years of the stated probabilities.
-    years: f64 = report.years;
-    currency: Option<String> = report.currency.clone();
-    hazard: &MeasuredHazard = &report.hazard;
-    assumptions: Vec<String> = report.assumptions.clone();
-    objects: Vec<&ObjectRisk> = report.objects.iter().collect();
-    expected_annual_loss: Option<f64> = report.expected_annual_loss();
-    expected_annual_loss_lower: Option<f64> = report.loss_bounds().map(|loss| loss.0);
-    expected_annual_loss_upper: Option<f64> = report.loss_bounds().and_then(|loss| loss.1);
-    is_bound: bool = report.is_bound();
-    is_at_least: bool = report.is_at_least();
-    /// Objects of the inventory without a fragility.
-    not_run: Vec<&NotRun> = report.not_run.iter().collect();
-    portfolio: Option<InCurrency<'_>> = report.in_currency();
-    /// Options, the one that pays most first.
-    ranking: Option<Vec<&Worth>> = report.measures.as_ref().map(Measures::ranking);
-    plan: Option<&Chosen> = report.measures.as_ref().and_then(|measures| measures.plan.as_ref());
-});
 
 impl RiskReport {
     /// Whether every accepted rate is kept, as far as it is known.

@@ -5,24 +5,23 @@ use std::path::Path;
 
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 use freestand_inventory::too_mild::TooMild;
 use freestand_study::run::Progress;
 
 use crate::costs::{CostRow, Costs, Options, curve_id, load_costs, load_options};
 use crate::doubts::{
-    assumed, begins_too_high, check_finite, check_measure, ends_too_low, not_resolved, unjudged,
-    unmatched,
+    Doubt, assumed, begins_too_high, check_finite, check_measure, ends_too_low, not_resolved,
+    unjudged, unmatched,
 };
 use crate::fragility::table::{self as fragility_table, RowProblems};
 use crate::fragility::{
-    FragilityReport, HazardPlace, ObjectCurves, ObjectFragility, cautions, contradictions,
-    fragility_watched, go_on, hazard_of, load_curves,
+    CurveDoubt, FragilityReport, HazardPlace, ObjectCurves, ObjectFragility, cautions,
+    contradictions, fragility, go_on, hazard_of, load_curves,
 };
 use crate::objects::ObjectRisk;
 use crate::plan::Measures;
-use crate::report::{NotRun, RiskReport};
+use crate::report::{NotRun, RiskReport, WhyNotRun};
 use crate::request::{DEFAULT_YEARS, RiskCurves, RiskRequest};
 use crate::{plan, portfolio};
 
@@ -41,19 +40,19 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         let hint = format!("write {written} % as `discount = \"{written} %\"`; at most 100 %");
         return Err(Problem::value(message, hint).of(&["discount"]).into());
     }
-    let (mut warnings, mut inputs) = (Vec::new(), Vec::new());
+    let (mut doubts, mut inputs) = (Vec::new(), Vec::new());
     let mut fitted: Option<FragilityReport> = None;
     let mut curves: Vec<ObjectCurves> = match &request.curves {
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
-            warnings.extend(cautions(cautious(&curves)));
-            warnings.extend(contradictions(&curves));
+            let of_curves = cautions(cautious(&curves)).chain(contradictions(&curves));
+            doubts.push(Doubt::Curves(of_curves.collect()));
             inputs.push(file);
             curves
         }
         RiskCurves::Outcomes(outcomes) => {
-            let report = fragility_watched(outcomes.clone(), progress)?;
-            warnings.extend(report.warnings.iter().cloned());
+            let report = fragility(outcomes.clone(), progress)?;
+            doubts.push(Doubt::Curves(report.doubts()));
             inputs.push(report.table.file.clone());
             let curves = report
                 .objects
@@ -74,8 +73,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         request.site_deg,
         only,
     )?;
-    warnings.extend(hazard.site_doubt(request.site_deg));
-    warnings.extend(hazard.warnings.iter().cloned());
+    doubts.extend(hazard.doubts_at(request.site_deg).map(Doubt::Hazard));
     inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {
         RiskCurves::File(path) => path,
@@ -91,7 +89,8 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         .map(|path| load_costs(path, &request.list))
         .transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
-    warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
+    let of_costs = costs.iter().flat_map(|costs| costs.doubts.clone());
+    doubts.extend(of_costs.map(Doubt::Cost));
     // Curves of another origin do not say it of themselves, but the list may.
     let unsaid: HashSet<&str> = cautious(&curves)
         .filter(|one| one.1.is_none())
@@ -101,7 +100,8 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         .iter()
         .flat_map(|costs| &costs.too_mild)
         .map(|(id, why)| (id.as_str(), Some(*why)));
-    warnings.extend(cautions(mild.filter(|(id, _)| unsaid.contains(id))));
+    let unsaid = cautions(mild.filter(|(id, _)| unsaid.contains(id)));
+    doubts.push(Doubt::Curves(unsaid.collect()));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
@@ -109,13 +109,16 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
                 file,
                 rows: options,
                 curves: named,
-                warnings: said,
+                doubts: of_options,
             } = load_options(path, currency.as_deref(), &curves)?;
             inputs.push(file);
-            warnings.extend(said);
+            doubts.extend(of_options.into_iter().map(Doubt::Cost));
             for (file, one) in named {
                 check_measure(&hazard, &one, &file.path, Some(one.line))?;
-                warnings.extend(one.contradiction());
+                doubts.extend(one.contradiction().map(|first| {
+                    let also = Vec::new();
+                    Doubt::Curves(vec![CurveDoubt::Contradiction { first, also }])
+                }));
                 if inputs.iter().all(|known| known.path != file.path) {
                     inputs.push(file);
                 }
@@ -153,12 +156,12 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         ));
     }
     check_finite(request, &hazard, &objects)?;
-    warnings.extend(begins_too_high(&hazard, &objects));
-    warnings.extend(ends_too_low(&hazard, &objects));
-    warnings.extend(not_resolved(&hazard, &objects));
+    doubts.extend(begins_too_high(&hazard, &objects));
+    doubts.extend(ends_too_low(&hazard, &objects));
+    doubts.extend(not_resolved(&objects));
     let not_run = not_run(costs.as_ref(), &curves, path, &mut inputs)?;
-    warnings.extend(unmatched(costs.as_ref(), &curves));
-    warnings.extend(unjudged(&objects));
+    doubts.extend(unmatched(costs.as_ref(), &curves));
+    doubts.extend(unjudged(&objects));
     let measures = match &options {
         Some(options) => Some(plan::measures(
             request,
@@ -170,10 +173,10 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         )?),
         None => None,
     };
-    warnings.extend(measures.iter().flat_map(Measures::warnings));
+    doubts.extend(measures.iter().flat_map(Measures::doubts));
     let portfolio = match (&fitted, &costs) {
         (Some(report), Some(costs)) => {
-            portfolio::portfolio(report, costs, &objects, &hazard, &mut warnings)?
+            portfolio::portfolio(report, costs, &objects, &hazard, &mut doubts)?
         }
         _ => None,
     };
@@ -188,7 +191,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         not_run,
         assumptions,
         inputs,
-        warnings,
+        doubts,
     })
 }
 
@@ -243,10 +246,11 @@ fn not_run(
         id: row.id.clone(),
         item: row.item.clone(),
         quantity: row.quantity,
-        why: reasons.get(&row.id).cloned().or_else(|| {
-            let said = || format!("anchored, the inventory says: {}", shorten(&row.anchored));
-            (!row.anchored.is_empty()).then(said)
-        }),
+        why: match reasons.get(&row.id) {
+            Some(why) => Some(WhyNotRun::LeftOut(why.clone())),
+            None if row.anchored.is_empty() => None,
+            None => Some(WhyNotRun::Anchored(row.anchored.clone())),
+        },
     };
     Ok(without.map(of).collect())
 }

@@ -10,7 +10,6 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::counted;
 use freestand_records::notes::grouped;
-use freestand_report::fragility::study_told;
 use freestand_risk::fragility::{
     At, DEFAULT_MAX_SCALE, FloorMotion, GivenObject, Limits, METHODS, Measure, Method, RunObjects,
     measures, scales,
@@ -201,7 +200,6 @@ pub(super) fn listed(
         changed = objects;
     }
     let objects = RunObjects::Listed {
-        told: Arc::new(study_told(&study, &inventory)),
         study: Arc::new(study),
         inventory: Arc::new(inventory),
         worlds,

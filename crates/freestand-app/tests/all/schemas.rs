@@ -35,10 +35,10 @@ use freestand_inventory::CheckReport;
 use freestand_inventory::library::{CushionEntry, ToleranceEntry};
 use freestand_output::answer::{Answer, Described as _, object};
 use freestand_report::assessment::{JobReport, PlanReport, row_schema};
+use freestand_report::fragility::{FragilityAnswer, RunsAnswer};
 use freestand_report::object::ObjectReport;
 use freestand_report::restraint::{RestrainListReport, RestrainReport};
-use freestand_risk::RiskReport;
-use freestand_risk::fragility::{FragilityReport, RunsReport};
+use freestand_report::risk::RiskAnswer;
 use freestand_study::check::Check;
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
@@ -85,7 +85,7 @@ fn the_schemas_are_those_of_the_structs() {
             of_response(
                 "fragility",
                 fragility::SCHEMA,
-                &[FragilityReport::schema(), RunsReport::schema()],
+                &[FragilityAnswer::schema(), RunsAnswer::schema()],
             ),
         ),
         (
@@ -102,7 +102,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "risk.response.json",
-            of_answer::<RiskReport>("risk", risk::SCHEMA),
+            of_answer::<RiskAnswer<'_>>("risk", risk::SCHEMA),
         ),
         ("risk.request.json", of_request::<Risk>("risk", &["seed"])),
         (

@@ -50,7 +50,7 @@ pub(crate) use comparisons::restraint_of;
 pub use comparisons::{P58_BETA, P58_SHARE};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
-pub use nominal::{Nominal, NominalRun};
+pub use nominal::{NoShockLimits, Nominal, NominalRun, NotFollowed};
 pub(crate) use object::Subject;
 pub use object::middle;
 pub use outcomes::{OutcomeRow, WriteOutcomes};

@@ -1,6 +1,7 @@
 //! Fragilities as the folders of other programs.
 
 use freestand_input::problem::Problems;
+use freestand_report::fragility::export_files;
 use freestand_risk::export::{ExportRequest, export};
 use freestand_risk::fragility::FragilityReport;
 
@@ -23,10 +24,10 @@ impl Exported {
     ) -> Result<Self, Problems> {
         let mut all = Self::default();
         for request in requests {
-            let folder = export(report, request)?;
+            let folder = export_files(export(report, request)?)?;
             for warning in folder.warnings {
                 // Two programs may say the same of an object.
-                if !report.warnings.contains(&warning) && !all.warnings.contains(&warning) {
+                if !all.warnings.contains(&warning) {
                     all.warnings.push(warning);
                 }
             }

@@ -4,9 +4,9 @@ use clap::Args;
 use freestand_app::fragility::{Fitted, Fragility, Meant, SCHEMA};
 use freestand_output::json::document;
 use freestand_report::figures::curves_figure;
-use freestand_report::fragility::curves_text;
+use freestand_report::fragility::{FragilityAnswer, curves_text, warnings};
 use freestand_risk::export::ExportRequest;
-use freestand_risk::fragility::{FragilityRequest, fragility_watched};
+use freestand_risk::fragility::{FragilityRequest, fragility};
 
 use super::assess::watched;
 use super::exports::{Exported, write};
@@ -70,24 +70,25 @@ fn fit(
 ) -> Result<Done, Failure> {
     // Made before the fits, so that no signal is missed between them and the files.
     let stop = printer.stop();
-    let found = watched(printer, |progress| fragility_watched(request, progress));
-    let mut report = found?;
+    let found = watched(printer, |progress| fragility(request, progress));
+    let report = found?;
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = Exported::of(&report, exports)?;
-    report.warnings.extend(exported.warnings);
+    let warnings = [warnings(&report), exported.warnings].concat();
     if files.wanted() {
         files.table("fragility", || report.table())?;
         stop.go_on()?;
         files.table("empirical", || report.empirical_table())?;
         stop.go_on()?;
-        let json = document(SCHEMA, &report, &report.warnings)?;
+        let json = document(SCHEMA, &FragilityAnswer(&report), &warnings)?;
         files.write("fragility.json", || json)?;
         stop.go_on()?;
         files.figure("fragility", || curves_figure(&report))?;
         stop.go_on()?;
         write(exported.files, &files)?;
     }
-    files.finish_result(SCHEMA, &report.warnings)?;
-    printer.result(SCHEMA, &report, &report.warnings, || curves_text(&report))?;
+    files.finish_result(SCHEMA, &warnings)?;
+    let answer = FragilityAnswer(&report);
+    printer.result(SCHEMA, &answer, &warnings, || curves_text(&report))?;
     Ok(Done::OK)
 }

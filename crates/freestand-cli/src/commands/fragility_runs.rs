@@ -4,7 +4,7 @@ use freestand_app::fragility::{Runs, SCHEMA};
 use freestand_input::problem::Problem;
 use freestand_output::json::document;
 use freestand_report::figures::{curves_figure, ida_figure, measures_figure, residuals_figure};
-use freestand_report::fragility::runs_text;
+use freestand_report::fragility::{RunsAnswer, left_out_table};
 use freestand_risk::LEFT_OUT;
 use freestand_risk::export::ExportRequest;
 use freestand_risk::fragility::{KeepRuns, RunsReport, RunsRequest, file_name, fragility_of_runs};
@@ -50,11 +50,8 @@ pub(super) fn run(
     // Before anything is written, so that what cannot be exported leaves no folder.
     let exported = report.first().map(|first| Exported::of(first, exports));
     let exported = exported.transpose()?.unwrap_or_default();
-    let of_runs = runs
-        .notes
-        .into_iter()
-        .chain(report.warnings.iter().cloned());
-    let mut warnings: Vec<String> = of_runs.collect();
+    let answer = RunsAnswer::of(&report);
+    let mut warnings = [runs.notes, answer.warnings()].concat();
     // Both read the hazard.
     let of_exports = exported.warnings.into_iter();
     let others: Vec<String> = of_exports.filter(|one| !warnings.contains(one)).collect();
@@ -64,17 +61,17 @@ pub(super) fn run(
             stop.go_on()
                 .map_err(|stopped| Failure::from(stopped).leaving(left))
         };
-        write_runs(&report, &warnings, &files, go_on)?;
+        write_runs(&report, &answer, &warnings, &files, go_on)?;
         write(exported.files, &files)?;
     }
     files.finish_result(SCHEMA, &warnings)?;
     // The text begins with that sentence.
-    let is_said = |warning: &String| !printer.json() && report.no_study() == Some(warning);
+    let is_said = |warning: &String| !printer.json() && answer.no_study() == Some(warning);
     let told: Vec<String> = warnings
         .into_iter()
         .filter(|warning| !is_said(warning))
         .collect();
-    printer.result(SCHEMA, &report, &told, || runs_text(&report))?;
+    printer.result(SCHEMA, &answer, &told, || answer.text())?;
     Ok(Done {
         criterion_met: !has_errors,
     })
@@ -84,6 +81,7 @@ pub(super) fn run(
 /// many runs take some seconds.
 fn write_runs(
     report: &RunsReport,
+    answer: &RunsAnswer<'_>,
     warnings: &[String],
     files: &Files,
     go_on: impl Fn() -> Result<(), Failure>,
@@ -100,11 +98,11 @@ fn write_runs(
         files.table(&name("fragility"), || fit.table())?;
         files.table(&name("empirical"), || fit.empirical_table())?;
     }
-    if let Some(table) = report.left_out_table()? {
+    if let Some(table) = left_out_table(report)? {
         files.table(LEFT_OUT.trim_end_matches(".csv"), || Ok(table))?;
     }
     go_on()?;
-    let json = document(SCHEMA, report, warnings)?;
+    let json = document(SCHEMA, answer, warnings)?;
     files.write("fragility.json", || json)?;
     if let Some(first) = report.first() {
         go_on()?;

@@ -4,7 +4,7 @@ use clap::Args;
 use freestand_app::risk::{Meant, Risk, SCHEMA};
 use freestand_output::json::document;
 use freestand_report::figures::risk_figure;
-use freestand_report::risk::{owners_page, risk_text};
+use freestand_report::risk::{RiskAnswer, owners_page, risk_text, warnings};
 use freestand_risk::risk;
 
 use super::assess::watched;
@@ -42,10 +42,11 @@ impl Tell for Risk {
         // Before the fits, so that no signal is missed between them and the files.
         let stop = printer.stop();
         let report = watched(printer, |progress| risk(&meant.risk, progress))?;
+        let (answer, warnings) = (RiskAnswer(&report), warnings(&report));
         if files.wanted() {
             files.table("risk", || report.table())?;
             stop.go_on()?;
-            let json = document(SCHEMA, &report, &report.warnings)?;
+            let json = document(SCHEMA, &answer, &warnings)?;
             files.write("risk.json", || json)?;
             let figure = risk_figure(&report)?;
             if let Some(figure) = &figure {
@@ -54,8 +55,8 @@ impl Tell for Risk {
             stop.go_on()?;
             files.write("report.html", || owners_page(&report, figure.as_ref()))?;
         }
-        files.finish_result(SCHEMA, &report.warnings)?;
-        printer.result(SCHEMA, &report, &report.warnings, || risk_text(&report))?;
+        files.finish_result(SCHEMA, &warnings)?;
+        printer.result(SCHEMA, &answer, &warnings, || risk_text(&report))?;
         Ok(Done {
             criterion_met: report.is_accepted(),
         })

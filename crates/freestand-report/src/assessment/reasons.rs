@@ -13,6 +13,7 @@ use freestand_inventory::{Casters, Item, Surroundings};
 use freestand_study::study::Unstated;
 
 use super::compared::reach;
+use super::words::too_mild;
 
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
@@ -208,7 +209,7 @@ fn mild(why: TooMild, found: &Assessment, answers: &Answers, p: Probability) -> 
         counted(answers.worlds as usize, "world"),
         percent(found.accepted_ratio),
     );
-    let (is, chance) = (why.words(), spread(p));
+    let (is, chance) = (too_mild(why), spread(p));
     if answers.falls == FallsAnswer::Falls {
         return format!(
             "It is {is}. In that calculation it falls in {chance} of {worlds}, more than the accepted {limit}; the \

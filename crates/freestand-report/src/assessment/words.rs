@@ -1,6 +1,6 @@
 //! The words, signs and colours that all outputs of an assessment share.
 
-use freestand_assess::result::{Assessment, Decision, FallsAnswer, Probability};
+use freestand_assess::result::{Assessment, Decision, FallsAnswer, Probability, TooMild};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_study::result::Ranked;
 
@@ -21,6 +21,17 @@ pub fn sign(decision: Decision) -> &'static str {
         Decision::Lock => "■",
         Decision::NoVerdict => "?",
         Decision::Leave => "●",
+    }
+}
+
+/// Why the calculation of an object is too mild: what is calculated, after "It is".
+pub(crate) fn too_mild(why: TooMild) -> &'static str {
+    match why {
+        TooMild::Round => {
+            "round: not calculated in three dimensions, but as the square prism around it"
+        }
+        TooMild::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
+        TooMild::Glides => "free to roll or slide, which counts only where a stop overturns it",
     }
 }
 

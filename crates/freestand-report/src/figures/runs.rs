@@ -151,7 +151,7 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
         curve_style(1).marker,
         3.6,
     ));
-    if let Some(limit) = report.rotation_ratio {
+    if let Some(limit) = report.request.rotation_ratio {
         plots.push(line(&[(0.0, limit), (to, limit)], DARK, 1.2, Some("4 5")));
     }
     panel(plots, x, y, &one.id)

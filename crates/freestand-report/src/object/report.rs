@@ -13,6 +13,7 @@ use freestand_study::target::Target;
 
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
+use crate::assessment::words::too_mild;
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, NamedEarthquake, ObjectRequest, ObjectResult, Tally, Unused,
     middle,
@@ -480,7 +481,7 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
     if let Some(why) = answers.too_mild {
         said.push(format!(
             "it is {}: the real object may fall where the calculated one stands",
-            why.words()
+            too_mild(why)
         ));
     }
     // Where it falls, no number of earthquakes would show that it stays.

@@ -4,6 +4,7 @@ use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{number, percent_significant};
 
 use crate::assessment::compared::reach;
+use crate::assessment::words::too_mild;
 use freestand_assess::one_object::NamedEarthquake;
 use freestand_assess::result::{Probability, Rolled, TooMild};
 
@@ -262,7 +263,7 @@ impl Answer {
             };
             return format!(
                 "it is {}; in that calculation {counted} it, but the real object may fall",
-                why.words()
+                too_mild(why)
             );
         }
         match self.kind {

@@ -10,14 +10,16 @@ use freestand_output::html::{
 };
 
 use freestand_inventory::Rating;
-use freestand_risk::fragility::{At, Measure, cautions};
+use freestand_risk::fragility::{At, CurveDoubt, Measure, cautions};
 
+use super::doubts::assumptions;
 use super::text::unfunded_words;
+use super::words::{self as risk_words, least, once_in, rounded, uncertainty_words, why_not_run};
+use crate::fragility::doubts::curve_doubts;
 use freestand_risk::RiskReport;
 use freestand_risk::costs::{CostRow, NotCounted};
 use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
 use freestand_risk::plan::Chosen;
-use freestand_risk::words::{least, once_in, rounded};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -91,10 +93,9 @@ pub fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
     }
     html.push_str(&heading("What is not counted"));
     html.push_str(&list(&not_counted(report)));
-    report
-        .assumptions
-        .iter()
-        .for_each(|assumed| html.push_str(&paragraph(assumed)));
+    for sentence in assumptions(report) {
+        html.push_str(&paragraph(&sentence));
+    }
     html.push_str(CLOSING);
     html
 }
@@ -668,7 +669,7 @@ fn compared(object: &ObjectRisk) -> String {
             .0
         }
     };
-    format!("{words}{}", object.uncertainty_words())
+    format!("{words}{}", uncertainty_words(object))
 }
 
 /// `3 times as often` as, `20 % more often` than: a rate over the accepted one.
@@ -704,10 +705,9 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         .objects
         .iter()
         .map(|one| (one.id.as_str(), one.curves.caution));
-    let mut lines: Vec<String> = cautions(curves)
-        .into_iter()
-        .map(|said| said + ".")
-        .collect();
+    let cautions: Vec<CurveDoubt> = cautions(curves).collect();
+    let cautions = curve_doubts(&cautions).into_iter();
+    let mut lines: Vec<String> = cautions.map(|said| said + ".").collect();
     for one in &report.not_run {
         let item = if one.item.is_empty() {
             String::new()
@@ -717,12 +717,11 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         let why = one
             .why
             .as_ref()
-            .map_or("no reason is known".to_owned(), |why| {
-                why.trim_end_matches('.').to_owned()
-            });
+            .map_or("no reason is known".to_owned(), why_not_run);
         lines.push(format!(
-            "The object {}{item}, which was not run: {why}.",
-            shorten(&one.id)
+            "The object {}{item}, which was not run: {}.",
+            shorten(&one.id),
+            why.trim_end_matches('.')
         ));
     }
     let bounded: Vec<&str> = report
@@ -741,7 +740,11 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
         } else {
             ""
         };
-        format!("{}{why}: {}.", sentence(what.words()), named(&ids))
+        format!(
+            "{}{why}: {}.",
+            sentence(risk_words::not_counted(what)),
+            named(&ids)
+        )
     });
     lines.extend(missing);
     let unpriced: Vec<&str> = report

@@ -1,6 +1,5 @@
 //! The answer for people.
 
-use freestand::fragility::LimitState;
 use freestand_input::words::number;
 
 use freestand_input::quantity::shorten;
@@ -8,7 +7,13 @@ use freestand_input::words::counted;
 use freestand_risk::RiskReport;
 use freestand_risk::plan::{Chosen, Measures, Worth};
 use freestand_risk::portfolio::{Portfolio, RETURN_PERIODS};
-use freestand_risk::words::least;
+
+use super::doubts::assumptions;
+use super::words::{
+    least, loss_words, not_counted, reaching, state_words, uncertainty_words, verdict_words,
+    why_unjudged,
+};
+use crate::assessment::words::too_mild;
 
 /// The answer for people.
 pub fn risk_text(report: &RiskReport) -> String {
@@ -26,26 +31,26 @@ pub fn risk_text(report: &RiskReport) -> String {
     for object in &report.objects {
         text += &format!("{}\n", object.id);
         for one in &object.states {
-            text += &format!("  {:10}  {}\n", one.limit_state.name(), one.words(&years));
+            text += &format!(
+                "  {:10}  {}\n",
+                one.limit_state.name(),
+                state_words(one, &years)
+            );
         }
         if let Some(verdict) = object.verdict {
             let limits = object.named_limits();
             let limits = limits.iter().map(|limit| {
-                let of = if limit.limit_state == LimitState::Overturns {
-                    "overturning"
-                } else {
-                    "exceeding"
-                };
+                let of = reaching(limit.limit_state);
                 format!("accepted for {of}: {} a year", number(limit.accepted, 3))
             });
             let accepted = format!(" ({})", limits.collect::<Vec<_>>().join("; "));
-            let sure = object.uncertainty_words();
-            text += &format!("  verdict     {}{sure}{accepted}\n", verdict.words());
+            let sure = uncertainty_words(object);
+            text += &format!("  verdict     {}{sure}{accepted}\n", verdict_words(verdict));
         } else if let Some(why) = object.why {
-            text += &format!("  verdict     not known: {why}\n");
+            text += &format!("  verdict     not known: {}\n", why_unjudged(why));
         }
         if let (Some(loss), Some(currency)) = (object.loss, &report.currency) {
-            let bounds = loss.words(&format!("{currency} a year"));
+            let bounds = loss_words(&loss, &format!("{currency} a year"));
             let (least, stated) = (
                 least(object.is_at_least),
                 number(loss.stated(object.is_at_least), 4),
@@ -55,12 +60,13 @@ pub fn risk_text(report: &RiskReport) -> String {
         if let Some(why) = object.curves.caution {
             text += &format!(
                 "  caution     {}; it may fail more often than its curves say\n",
-                why.words()
+                too_mild(why)
             );
         }
         if !object.not_counted.is_empty() && object.expected_annual_loss.is_some() {
-            let words: Vec<&str> = object.not_counted.iter().map(|part| part.words()).collect();
-            text += &format!("  not counted {}\n", words.join(", "));
+            let parts = object.not_counted.iter().copied();
+            let parts: Vec<&str> = parts.map(not_counted).collect();
+            text += &format!("  not counted {}\n", parts.join(", "));
         }
     }
     if let Some(loss) = report.stated_loss().filter(|_| report.objects.len() > 1) {
@@ -86,12 +92,8 @@ pub fn risk_text(report: &RiskReport) -> String {
     if let Some(measures) = &report.measures {
         text += &measures_text(measures, currency);
     }
-    text.extend(
-        report
-            .assumptions
-            .iter()
-            .map(|assumed| format!("{assumed}\n")),
-    );
+    let assumed = assumptions(report).into_iter();
+    text.extend(assumed.map(|sentence| sentence + "\n"));
     text
 }
 
@@ -103,11 +105,11 @@ fn portfolio_text(portfolio: &Portfolio, currency: &str) -> String {
         "All objects under common motions ({}): {least}{} {currency} a year{}\n",
         counted(portfolio.worlds, "world"),
         number(portfolio.expected_annual_loss, 4),
-        bounds.words(&format!("{currency} a year"))
+        loss_words(&bounds, &format!("{currency} a year"))
     );
     for years in RETURN_PERIODS {
         let loss = portfolio.at_return_period(years);
-        let bounds = loss.words(currency);
+        let bounds = loss_words(&loss, currency);
         text += &format!(
             "  once in {years} years: {least}{} {currency}{bounds}\n",
             number(loss.best, 4)

@@ -42,27 +42,44 @@ fn what_is_missing_is_listed_and_not_guessed() {
 
 #[test]
 fn what_counts_for_nothing_is_said() {
-    let said = |text: &str| costs(text).unwrap().warnings.join("; ");
+    let doubts = |text: &str| costs(text).unwrap().doubts;
     assert_eq!(
-        said("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"),
-        ""
+        doubts("ID,Item,Quantity,Repair cost [AUD],floor\na,x,2,100,1\n"),
+        []
     );
     assert_eq!(
         costs("id,Repair cost [AUD]\na,100\n").unwrap().rows[0].repair,
         Some(100.0)
     );
+    let path = PathBuf::from("i.csv");
+    let unused = |heading: &str, near: Option<&str>| UnusedColumn {
+        heading: heading.to_owned(),
+        near: near.map(str::to_owned),
+    };
     assert_eq!(
-        said("id,qty,repair_costs [AUD]\na,2,5\n"),
-        "i.csv: these columns are not used: qty, repair_costs [AUD] (is it repair_cost?)"
+        doubts("id,qty,repair_costs [AUD]\na,2,5\n"),
+        [CostDoubt::Unused {
+            path: path.clone(),
+            columns: vec![
+                unused("qty", None),
+                unused("repair_costs [AUD]", Some("repair_cost"))
+            ],
+        }]
     );
     assert_eq!(
-        said("id,quantity\na,\nb,3\n"),
-        "i.csv: 1 row has no quantity: 1 is assumed"
+        doubts("id,quantity\na,\nb,3\n"),
+        [CostDoubt::NoQuantity {
+            path: path.clone(),
+            rows: 1
+        }]
     );
-    let dear = said("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n");
-    assert!(
-        dear.starts_with("i.csv:2: the repair of a costs more than its overturning"),
-        "{dear}"
+    assert_eq!(
+        doubts("id,repair_cost [AUD],replacement_cost [AUD]\na,100,5\n"),
+        [CostDoubt::DearRepair {
+            path,
+            line: 2,
+            id: "a".to_owned()
+        }]
     );
 }
 

@@ -10,12 +10,15 @@ use std::path::PathBuf;
 use freestand::fragility::{CurveKind, FitKind, LimitState};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{Choices, counted};
+use freestand_input::words::Choices;
 use freestand_output::rows::csv;
 use serde_json::{Value, json};
+use strum::EnumCount;
 
-use crate::costs::{CostRow, Costs, load_costs};
-use crate::fragility::{FragilityReport, HazardPlace, HazardSource, ObjectFragility, hazard_of};
+use crate::costs::{CostDoubt, CostRow, Costs, load_costs};
+use crate::fragility::{
+    FragilityReport, HazardDoubt, HazardPlace, HazardSource, ObjectFragility, hazard_of,
+};
 
 use points::Points;
 
@@ -74,8 +77,53 @@ pub struct ExportRequest {
 pub struct Exported {
     /// Its files, by their paths in the output folder.
     pub files: Vec<(String, Vec<u8>)>,
-    /// Warnings about them.
-    pub warnings: Vec<String>,
+    /// A file that repeats the doubts in words.
+    pub metadata: Option<Metadata>,
+    /// What to know beside them.
+    pub doubts: Vec<ExportDoubt>,
+}
+
+/// A JSON document that is written with what there is to know beside the folder.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Metadata {
+    /// Its path in the output folder.
+    pub path: String,
+    /// Its schema.
+    pub schema: &'static str,
+    /// Its other keys.
+    pub body: Value,
+}
+
+/// What to know beside a folder for another program.
+#[derive(Debug, Clone, PartialEq, Eq, EnumCount)]
+pub enum ExportDoubt {
+    /// Of the costs.
+    Cost(CostDoubt),
+    /// Of the hazard.
+    Hazard(HazardDoubt),
+    /// An object that the inventory does not have: one without costs is exported.
+    NotInInventory(String),
+    /// An object of which there is none: it is not exported.
+    NoneOfIt(String),
+    /// Ids that the program does not accept were changed.
+    ChangedIds {
+        /// The program.
+        format: ExportFormat,
+        /// How many.
+        count: usize,
+        /// The first of them.
+        id: String,
+        /// What it became.
+        exported: String,
+        /// The characters that are allowed besides letters and digits.
+        allowed: &'static str,
+        /// The largest number of characters; `None`: no limit.
+        longest: Option<usize>,
+    },
+    /// pelicun calls every cost dollars, but they are in this currency.
+    InDollars(String),
+    /// Objects without a replacement cost among others with costs.
+    NoReplacement(Vec<String>),
 }
 
 /// Files of a folder, by their names in it.
@@ -126,12 +174,13 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
         .map(|text| report.table.measure.quantity(text))
         .transpose();
     let demand = demand.map_err(|problem| problem.named("demand"))?;
-    let mut warnings = Vec::new();
+    let mut doubts = Vec::new();
     let (folder, ids) = match request.format {
         ExportFormat::Csv => {
             return Ok(Exported {
                 files: Vec::new(),
-                warnings,
+                metadata: None,
+                doubts,
             });
         }
         ExportFormat::Pelicun => ("pelicun", &PELICUN_IDS),
@@ -143,13 +192,15 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
         .as_deref()
         .map(|path| load_costs(path, &request.list))
         .transpose()?;
-    warnings.extend(costs.iter().flat_map(|costs| costs.warnings.clone()));
-    let objects = objects(report, request, costs.as_ref(), ids, &mut warnings)?;
+    let of_costs = costs.iter().flat_map(|costs| costs.doubts.clone());
+    doubts.extend(of_costs.map(ExportDoubt::Cost));
+    let objects = objects(report, request, costs.as_ref(), ids, &mut doubts)?;
     let listed = Listed {
         objects: &objects,
         currency: costs.as_ref().and_then(|costs| costs.currency.as_deref()),
     };
-    let id_table = id_table(&objects, ids, folder, &mut warnings)?;
+    let id_table = id_table(&objects, ids, request.format, &mut doubts)?;
+    let mut metadata = None;
     let mut files = match request.format {
         ExportFormat::Csv => Vec::new(),
         ExportFormat::Pelicun => {
@@ -158,7 +209,13 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 let hint = "leave out the hazard, or export for OpenQuake";
                 return Err(Problem::value(message, hint).of(&["hazard"]).into());
             }
-            pelicun::files(report, request, &listed, demand, &mut warnings)?
+            let (files, body) = pelicun::files(report, request, &listed, demand, &mut doubts)?;
+            metadata = Some(Metadata {
+                path: format!("{folder}/metadata.json"),
+                schema: "freestand.pelicun/1",
+                body,
+            });
+            files
         }
         ExportFormat::OpenQuake => {
             let hazard = request
@@ -175,14 +232,15 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 })
                 .transpose()?;
             // The coordinates are those of the objects, too.
-            warnings.extend(hazard.iter().flat_map(|hazard| hazard.warnings.clone()));
+            let of_hazard = hazard.iter().flat_map(|hazard| &hazard.doubts);
+            doubts.extend(of_hazard.copied().map(ExportDoubt::Hazard));
             openquake::files(
                 report,
                 request,
                 &listed,
                 demand,
                 hazard.as_ref(),
-                &mut warnings,
+                &mut doubts,
             )?
         }
     };
@@ -191,7 +249,11 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
         .into_iter()
         .map(|(name, bytes)| (format!("{folder}/{name}"), bytes))
         .collect();
-    Ok(Exported { files, warnings })
+    Ok(Exported {
+        files,
+        metadata,
+        doubts,
+    })
 }
 
 /// The objects of a folder, and the currency of their costs.
@@ -257,7 +319,7 @@ fn objects<'a>(
     request: &ExportRequest,
     costs: Option<&'a Costs>,
     style: &IdStyle,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<ExportDoubt>,
 ) -> Result<Vec<ExportObject<'a>>, Problem> {
     let names: Vec<&str> = report
         .objects
@@ -269,17 +331,11 @@ fn objects<'a>(
     for (object, id) in report.objects.iter().zip(ids) {
         let cost = costs.and_then(|costs| costs.rows.iter().find(|row| row.id == object.id));
         if costs.is_some() && cost.is_none() {
-            warnings.push(format!(
-                "{}: not in the inventory, so one object without costs is exported",
-                object.id
-            ));
+            doubts.push(ExportDoubt::NotInInventory(object.id.clone()));
         }
         let quantity = cost.map_or(1.0, |cost| cost.quantity);
         if quantity == 0.0 {
-            warnings.push(format!(
-                "{}: its quantity is 0, so it is not exported",
-                object.id
-            ));
+            doubts.push(ExportDoubt::NoneOfIt(object.id.clone()));
             continue;
         }
         let shape = if request.is_discrete {
@@ -320,7 +376,6 @@ fn objects<'a>(
 
 /// The ids that another program accepts.
 struct IdStyle {
-    program: &'static str,
     /// The beginning that every id has.
     start: &'static str,
     /// The characters that are allowed besides letters and digits.
@@ -332,7 +387,6 @@ struct IdStyle {
 /// pelicun joins ids, locations and directions with hyphens, so an id would end at its first
 /// hyphen.
 const PELICUN_IDS: IdStyle = IdStyle {
-    program: "pelicun",
     start: "FS.",
     fine: "_.",
     longest: None,
@@ -340,24 +394,12 @@ const PELICUN_IDS: IdStyle = IdStyle {
 /// Ids of assets have at most 50 characters (`ASSET_ID_LENGTH`, OpenQuake 3.26); ids of functions
 /// have no quotation marks.
 const OPENQUAKE_IDS: IdStyle = IdStyle {
-    program: "OpenQuake",
     start: "",
     fine: "_-",
     longest: Some(50),
 };
 
 impl IdStyle {
-    fn words(&self) -> String {
-        let others: Vec<String> = self.fine.chars().map(String::from).collect();
-        let longest = self.longest.map_or(String::new(), |most| {
-            format!(", and at most {most} characters")
-        });
-        format!(
-            "letters from a to z, digits, {}{longest}",
-            others.join(" and ")
-        )
-    }
-
     /// The id with all other characters replaced by `_`, and cut off if it is too long.
     fn plain(&self, id: &str) -> String {
         let is_fine = |c: char| c.is_ascii_alphanumeric() || self.fine.contains(c);
@@ -404,12 +446,12 @@ fn plain_ids(ids: &[&str], style: &IdStyle) -> Vec<String> {
     ids.iter().zip(&plain).map(&mut unique).collect()
 }
 
-/// `ids.csv` with the ids of both sides, and a warning, if any id was changed.
+/// `ids.csv` with the ids of both sides, and a doubt, if any id was changed.
 fn id_table(
     objects: &[ExportObject],
     style: &IdStyle,
-    folder: &str,
-    warnings: &mut Vec<String>,
+    format: ExportFormat,
+    doubts: &mut Vec<ExportDoubt>,
 ) -> Result<Option<(String, Vec<u8>)>, Problem> {
     let is_changed =
         |one: &&ExportObject| one.id.strip_prefix(style.start) != Some(one.object.id.as_str());
@@ -417,15 +459,14 @@ fn id_table(
     let Some(first) = changed.first() else {
         return Ok(None);
     };
-    let verb = if changed.len() == 1 { "was" } else { "were" };
-    warnings.push(format!(
-        "{} {verb} changed for {}, such as \"{}\" to \"{}\": it accepts only {}; {folder}/ids.csv lists both",
-        counted(changed.len(), "id"),
-        style.program,
-        shorten(&first.object.id),
-        first.id,
-        style.words()
-    ));
+    doubts.push(ExportDoubt::ChangedIds {
+        format,
+        count: changed.len(),
+        id: first.object.id.clone(),
+        exported: first.id.clone(),
+        allowed: style.fine,
+        longest: style.longest,
+    });
     let rows = objects
         .iter()
         .map(|one| vec![one.object.id.clone(), one.id.clone()]);
@@ -498,6 +539,7 @@ fn sources(report: &FragilityReport) -> Value {
 mod tests {
     use super::*;
     use crate::fragility::{At, FragilityRequest, fragility};
+    use freestand_study::run::no_progress;
 
     #[test]
     fn ids_are_plain_and_unique() {
@@ -572,15 +614,15 @@ mod tests {
         )
         .unwrap();
         std::fs::write(path("i.csv"), inventory).unwrap();
-        let report = fragility(FragilityRequest {
+        let outcomes = FragilityRequest {
             outcomes: path("o.csv"),
             at: None,
             fit: FitKind::Ordered,
             shock: None,
             replicates: Some(0),
             seed: 1,
-        })
-        .unwrap();
+        };
+        let report = fragility(outcomes, &no_progress).unwrap();
         let request = ExportRequest {
             format: ExportFormat::OpenQuake,
             demand: None,
@@ -624,18 +666,11 @@ mod tests {
             "id,quantity,repair_cost [AUD],replacement_cost [AUD]\na,2,,900\nb,3,50,\nc,1,,\n",
         );
         assert_eq!(values(&some), ["1800", "0", "0"]);
-        let said =
-            "b and 1 more: no replacement_cost in the inventory, so exposure.csv has the value 0";
-        assert!(
-            some.warnings
-                .iter()
-                .any(|warning| warning.starts_with(said)),
-            "{:?}",
-            some.warnings
-        );
+        let without = ExportDoubt::NoReplacement(vec!["b".to_owned(), "c".to_owned()]);
+        assert_eq!(some.doubts, [without]);
         let none = for_openquake("id,quantity\na,2\nb,3\nc,1\n");
         assert_eq!(values(&none), ["2", "3", "1"]);
-        assert!(none.warnings.is_empty(), "{:?}", none.warnings);
+        assert_eq!(none.doubts, []);
     }
 
     /// The hazard curve of a folder can be read again, AvgSA with its periods.

@@ -11,7 +11,7 @@ use serde_json::json;
 use crate::costs::CostRow;
 use crate::fragility::{AVERAGE_KEY, At, FragilityReport, Measure, MeasuredHazard};
 
-use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
+use super::{ExportDoubt, ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
 /// Years of the damage that the classical job states.
 const RISK_YEARS: u32 = 50;
@@ -26,8 +26,16 @@ const MAX_RATE: f64 = 10.0;
 /// Beyond how many β about its contributions a curve adds nothing.
 const REACH: f64 = 6.0;
 
-/// The name of a measure in OpenQuake, and the factor from our unit to its.
-fn imt_of(measure: Measure, at: At) -> Result<(String, f64), Problem> {
+/// A measure of OpenQuake.
+#[derive(Debug, PartialEq)]
+struct Imt {
+    name: String,
+    /// From our unit to its.
+    factor: f64,
+}
+
+/// A measure as OpenQuake has it.
+fn imt_of(measure: Measure, at: At) -> Result<Imt, Problem> {
     let name = measure.name();
     let refused = || {
         let message = format!("OpenQuake has no measure {name} of the {}", at.name());
@@ -36,12 +44,15 @@ fn imt_of(measure: Measure, at: At) -> Result<(String, f64), Problem> {
             "fit the outcomes against a measure of the ground, such as pgv, with `at = \"ground\"`",
         )
     };
+    let imt = |name, factor| Imt { name, factor };
     match (measure, at) {
         (_, At::Floor) => Err(refused()),
-        (Measure::Pga, At::Ground) => Ok(("PGA".to_owned(), 1.0)),
-        (Measure::Sa { period_s }, At::Ground) => Ok((format!("SA({})", shortest(period_s)), 1.0)),
-        (Measure::SaAverage { .. }, At::Ground) => Ok(("AvgSA".to_owned(), 1.0)),
-        (Measure::Pgv, At::Ground) => Ok(("PGV".to_owned(), 100.0)),
+        (Measure::Pga, At::Ground) => Ok(imt("PGA".to_owned(), 1.0)),
+        (Measure::Sa { period_s }, At::Ground) => {
+            Ok(imt(format!("SA({})", shortest(period_s)), 1.0))
+        }
+        (Measure::SaAverage { .. }, At::Ground) => Ok(imt("AvgSA".to_owned(), 1.0)),
+        (Measure::Pgv, At::Ground) => Ok(imt("PGV".to_owned(), 100.0)),
         _ => Err(refused()),
     }
 }
@@ -61,7 +72,7 @@ fn escaped(text: &str) -> String {
 
 /// The function of one object. `exceeds` repeats `overturns` where there is no tolerance, because
 /// the limit states are common to all objects.
-fn function(object: &ExportObject, imt: &str, factor: f64) -> String {
+fn function(object: &ExportObject, Imt { name: imt, factor }: &Imt) -> String {
     let id = &object.id;
     match &object.shape {
         Shape::Lognormal { exceeds, overturns } => {
@@ -114,27 +125,22 @@ fn replacement(object: &ExportObject) -> Option<f64> {
 
 /// What an object without a replacement cost is worth in the column of values, which is required: 1
 /// where no object has any cost, so that the values count objects. Beside costs in a currency 1
-/// would be an amount of it, so that it is 0, with a warning.
-fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<String>) {
+/// would be an amount of it, so that it is 0, with a doubt.
+fn value_without_cost(objects: &[ExportObject]) -> (f64, Option<ExportDoubt>) {
     if !objects
         .iter()
         .any(|object| object.cost.is_some_and(CostRow::has_costs))
     {
         return (1.0, None);
     }
-    let without: Vec<&ExportObject> = objects
+    let without = objects
         .iter()
-        .filter(|object| replacement(object).is_none())
-        .collect();
-    let warning = without.split_first().map(|(first, rest)| {
-        let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
-        format!(
-            "{}{more}: no replacement_cost in the inventory, so exposure.csv has the value 0 and OpenQuake counts \
-             no loss",
-            shorten(&first.object.id)
-        )
-    });
-    (0.0, warning)
+        .filter(|object| replacement(object).is_none());
+    let ids: Vec<String> = without.map(|object| object.object.id.clone()).collect();
+    (
+        0.0,
+        (!ids.is_empty()).then_some(ExportDoubt::NoReplacement(ids)),
+    )
 }
 
 /// Where an object is \[degrees\].
@@ -223,7 +229,7 @@ fn extent(shape: &Shape, exponent: f64) -> (f64, f64) {
 /// same at all sites.
 fn hazard_csv(
     measure: Measure,
-    (imt, factor): (&str, f64),
+    imt: &Imt,
     sites: &[(f64, f64)],
     levels: &[(f64, f64)],
 ) -> Result<Vec<u8>, Problem> {
@@ -232,7 +238,7 @@ fn hazard_csv(
         .chain(
             levels
                 .iter()
-                .map(|(x, _)| format!("poe-{}", shortest(factor * x))),
+                .map(|(x, _)| format!("poe-{}", shortest(imt.factor * x))),
         )
         .collect();
     let poes: Vec<String> = levels
@@ -255,9 +261,11 @@ fn hazard_csv(
         Measure::SaAverage { .. } => format!(", {AVERAGE_KEY}='{}'", measure.name()),
         _ => String::new(),
     };
-    let mut text =
-        format!("#{commas}\"kind='mean', investigation_time=1.0, imt='{imt}'{periods}\"\n")
-            .into_bytes();
+    let mut text = format!(
+        "#{commas}\"kind='mean', investigation_time=1.0, imt='{}'{periods}\"\n",
+        imt.name
+    )
+    .into_bytes();
     text.extend(table);
     Ok(text)
 }
@@ -279,9 +287,9 @@ pub(super) fn files(
     listed: &Listed,
     demand: Option<f64>,
     hazard: Option<&MeasuredHazard>,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<ExportDoubt>,
 ) -> Result<Files, Problem> {
-    let (imt, factor) = imt_of(report.table.measure, report.at)?;
+    let imt = imt_of(report.table.measure, report.at)?;
     if demand.is_none() && hazard.is_none() {
         let problem = Problem::new(
             ProblemKind::Missing,
@@ -294,13 +302,13 @@ pub(super) fn files(
     hazard.map_or(Ok(()), |hazard| {
         hazard.check(report.table.measure, report.at)
     })?;
-    let (unpriced, warning) = value_without_cost(listed.objects);
-    warnings.extend(warning);
+    let (unpriced, doubt) = value_without_cost(listed.objects);
+    doubts.extend(doubt);
     let mut functions = String::new();
     let (mut assets, mut sites) = (Vec::new(), Vec::new());
     for object in listed.objects {
         let (lon, lat) = site_of(object, request)?;
-        functions += &function(object, &imt, factor);
+        functions += &function(object, &imt);
         let value = replacement(object).unwrap_or(unpriced);
         let (lon, lat) = (round(lon), round(lat));
         let numbers = [lon, lat].map(shortest);
@@ -343,7 +351,7 @@ pub(super) fn files(
     let risk = "[risk]\nexposure_file = exposure.xml\ncontents_fragility_file = fragility.xml\n\
                 asset_hazard_distance = 20\n";
     if let Some(demand) = demand {
-        let level = shortest(factor * demand);
+        let level = shortest(imt.factor * demand);
         let rows = (0..sites.len()).map(|site| {
             ["0", &site.to_string(), "0", &level]
                 .map(str::to_owned)
@@ -351,7 +359,7 @@ pub(super) fn files(
         });
         files.push((
             "gmf.csv".to_owned(),
-            csv(&["rlzi", "sid", "eid", &format!("gmv_{imt}")], rows)?,
+            csv(&["rlzi", "sid", "eid", &format!("gmv_{}", imt.name)], rows)?,
         ));
         let listed: Vec<String> = sites
             .iter()
@@ -368,7 +376,7 @@ pub(super) fn files(
         let levels = levels(&hazard.hazard, listed.objects);
         files.push((
             "hazard.csv".to_owned(),
-            hazard_csv(report.table.measure, (&imt, factor), &sites, &levels)?,
+            hazard_csv(report.table.measure, &imt, &sites, &levels)?,
         ));
         let job = format!(
             "[general]\ndescription = free-standing objects, {RISK_YEARS} years\ncalculation_mode = \
@@ -380,8 +388,8 @@ pub(super) fn files(
     let metadata = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "objects": listed.objects.iter().map(|object| object.metadata(report)).collect::<Vec<_>>(),
-        "imt": imt,
-        "factor_to_imt": factor,
+        "imt": imt.name,
+        "factor_to_imt": imt.factor,
         "units": "fragility.xml has means and standard deviations in the unit of OpenQuake (PGV in cm/s), not medians",
         "currency": listed.currency,
         "hazard": hazard.map(|hazard| json!({
@@ -420,12 +428,13 @@ mod tests {
 
     #[test]
     fn only_measures_of_the_ground_are_exported() {
+        let pgv = Imt {
+            name: "PGV".to_owned(),
+            factor: 100.0,
+        };
+        assert_eq!(imt_of(Measure::Pgv, At::Ground), Ok(pgv));
         assert_eq!(
-            imt_of(Measure::Pgv, At::Ground),
-            Ok(("PGV".to_owned(), 100.0))
-        );
-        assert_eq!(
-            imt_of(Measure::Sa { period_s: 0.5 }, At::Ground).map(|imt| imt.0),
+            imt_of(Measure::Sa { period_s: 0.5 }, At::Ground).map(|imt| imt.name),
             Ok("SA(0.5)".to_owned())
         );
         for (measure, at) in [

@@ -3,13 +3,12 @@
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{number, shortest};
-use freestand_output::json::document;
 use freestand_output::rows::csv;
 use serde_json::{Value, json};
 
 use crate::fragility::{FragilityReport, Measure};
 
-use super::{ExportObject, ExportRequest, Files, Listed, Shape, sources};
+use super::{ExportDoubt, ExportObject, ExportRequest, Files, Listed, Shape, sources};
 
 /// Realizations where none are asked for.
 const DEFAULT_REALIZATIONS: u32 = 10_000;
@@ -216,7 +215,7 @@ fn consequences(object: &ExportObject) -> Vec<Vec<String>> {
     rows
 }
 
-/// The files of a folder for pelicun, by their names in it.
+/// The files of a folder for pelicun, by their names in it, and the keys of its metadata.
 ///
 /// `LS1` is `exceeds` and `LS2` `overturns`; an object without a tolerance has `overturns` alone. A
 /// floor n (0 is the ground) is the location n + 1 of pelicun.
@@ -231,8 +230,8 @@ pub(super) fn files(
     request: &ExportRequest,
     listed: &Listed,
     level: Option<f64>,
-    warnings: &mut Vec<String>,
-) -> Result<Files, Problem> {
+    doubts: &mut Vec<ExportDoubt>,
+) -> Result<(Files, Value), Problem> {
     let demand = demand_of(report.table.measure)?;
     let mut fragilities = Vec::new();
     let mut components = Vec::new();
@@ -340,11 +339,8 @@ pub(super) fn files(
             "consequence_repair.csv".to_owned(),
             table(&header, consequences)?,
         ));
-        if let Some(currency) = listed.currency.filter(|currency| *currency != DOLLARS) {
-            warnings.push(format!(
-                "pelicun writes every cost as {DOLLARS}, but these costs are in {currency}, as in the inventory"
-            ));
-        }
+        let other = listed.currency.filter(|currency| *currency != DOLLARS);
+        doubts.extend(other.map(|currency| ExportDoubt::InDollars(currency.to_owned())));
     }
     let seed = report.request.seed;
     let config = config(
@@ -366,11 +362,7 @@ pub(super) fn files(
         "currency": listed.currency,
         "sources": sources(report),
     });
-    files.push((
-        "metadata.json".to_owned(),
-        document("freestand.pelicun/1", &metadata, warnings)?.into_bytes(),
-    ));
-    Ok(files)
+    Ok((files, metadata))
 }
 
 fn table(header: &[String], rows: Vec<Vec<String>>) -> Result<Vec<u8>, Problem> {

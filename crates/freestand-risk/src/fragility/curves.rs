@@ -8,11 +8,13 @@ use freestand::risk::Capacity;
 use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, shortest, significant, some};
+use freestand_input::words::shortest;
 
+use super::doubt::{Contradiction, CurveDoubt};
 use super::measure::{At, MEASURES, Measure};
 use super::table::{Row, RowProblems, Table};
-use freestand_inventory::too_mild::{TOO_MILD, TooMild};
+use freestand_inventory::too_mild::TooMild;
+use strum::VariantArray;
 
 /// The column of `fragility.csv` with [`capacities_text`].
 pub(crate) const CAPACITY: &str = "capacity";
@@ -112,9 +114,8 @@ fn capacities_of(text: &str, factor: f64) -> Option<Vec<Capacity>> {
 const CONTRADICTION: f64 = 0.005;
 
 impl ObjectCurves {
-    /// What to say where a more severe limit state is more probable than a milder one, which cannot be:
-    /// its curves then give a loss that is wrong.
-    pub(crate) fn contradiction(&self) -> Option<String> {
+    /// Where a more severe limit state is more probable than a milder one.
+    pub(crate) fn contradiction(&self) -> Option<Contradiction> {
         let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
         for curve in &self.curves {
             let (median, beta) = (
@@ -132,66 +133,46 @@ impl ObjectCurves {
         pairs.into_iter().find_map(|(mild, severe)| {
             let excess = |x: f64| Some(severe.kind.probability(x)? - mild.kind.probability(x)?);
             let is_wrong = |x: &&f64| excess(**x).is_some_and(|excess| excess > CONTRADICTION);
-            let (from, to) = (levels.iter().find(is_wrong)?, levels.iter().rfind(is_wrong)?);
-            let fit =
-                Fit { kind: FitKind::Separate, curves: vec![*mild, *severe], log_likelihood: 0.0, score_per_run: 0.0 };
-            let unit = self.measure.unit();
-            let place = match fit.crossing(least, most) {
-                Some((_, _, x)) => format!("they cross at {} {unit}", significant(x, 3)),
-                None => "they do not cross".to_owned(),
+            let (from, to) = (
+                levels.iter().find(is_wrong)?,
+                levels.iter().rfind(is_wrong)?,
+            );
+            let fit = Fit {
+                kind: FitKind::Separate,
+                curves: vec![*mild, *severe],
+                log_likelihood: 0.0,
+                score_per_run: 0.0,
             };
-            Some(format!(
-                "{}: between {} and {} {unit} {} is more probable than {}, which it includes ({place}): the rates and \
-                 the loss contradict each other; fit both with one beta (`fit = \"ordered\"`)",
-                shorten(&self.id),
-                significant(*from, 3),
-                significant(*to, 3),
-                severe.limit_state.name(),
-                mild.limit_state.name(),
-            ))
+            Some(Contradiction {
+                id: self.id.clone(),
+                measure: self.measure,
+                from: *from,
+                to: *to,
+                mild: mild.limit_state,
+                severe: severe.limit_state,
+                crossing: fit.crossing(least, most).map(|(_, _, x)| x),
+            })
         })
     }
 }
 
-/// What [`ObjectCurves::contradiction`] says of the first object, and which others have one too.
-pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<String> {
-    const NAMED: usize = 3;
-    let mut found = curves
-        .iter()
-        .filter_map(|one| Some((shorten(&one.id), one.contradiction()?)));
-    let (_, first) = found.next()?;
-    let others: Vec<String> = found.map(|(id, _)| id).collect();
-    let also = if others.is_empty() {
-        String::new()
-    } else {
-        format!(" (also {})", some(&others, NAMED))
-    };
-    Some(first + &also)
+/// The contradiction of the first object that has one, and which others have one too.
+pub(crate) fn contradictions(curves: &[ObjectCurves]) -> Option<CurveDoubt> {
+    let mut found = curves.iter().filter_map(ObjectCurves::contradiction);
+    let first = found.next()?;
+    let also = found.map(|one| one.id).collect();
+    Some(CurveDoubt::Contradiction { first, also })
 }
 
-/// Which objects may fail more often than their curves say: one sentence for each reason.
+/// Which objects may fail more often than their curves say, by reason.
 pub fn cautions<'a>(
     objects: impl Iterator<Item = (&'a str, Option<TooMild>)> + Clone,
-) -> Vec<String> {
-    let said = TOO_MILD.iter().filter_map(|(why, _, words)| {
-        let mut ids = objects
-            .clone()
-            .filter(|(_, caution)| *caution == Some(*why))
-            .map(|(id, _)| id);
-        let first = ids.next()?;
-        let many = 1 + ids.count();
-        let (verb, they) = if many == 1 {
-            ("is", "it")
-        } else {
-            ("are", "they")
-        };
-        Some(format!(
-            "{} {verb} {words}; {they} may fail more often than the curves say, for example {}",
-            counted(many, "object"),
-            shorten(first)
-        ))
-    });
-    said.collect()
+) -> impl Iterator<Item = CurveDoubt> {
+    TooMild::VARIANTS.iter().filter_map(move |&why| {
+        let of_why = objects.clone().filter(|(_, caution)| *caution == Some(why));
+        let ids: Vec<String> = of_why.map(|(id, _)| id.to_owned()).collect();
+        (!ids.is_empty()).then_some(CurveDoubt::TooMild { why, ids })
+    })
 }
 
 /// The reason in the column `caution`; `None` without the column or in an empty cell.
@@ -200,12 +181,8 @@ pub(super) fn caution_of(table: &Table, row: &Row) -> Result<Option<TooMild>, Pr
         return Ok(None);
     };
     let text = table.text(row, column);
-    let found = TOO_MILD
-        .iter()
-        .find(|(_, name, _)| *name == text)
-        .map(|(why, ..)| *why);
-    found.map(Some).ok_or_else(|| {
-        let names: Vec<&str> = TOO_MILD.iter().map(|one| one.1).collect();
+    text.parse().map(Some).map_err(|_| {
+        let names: Vec<&str> = TooMild::VARIANTS.iter().map(|why| why.name()).collect();
         let message = format!("\"{}\" is not a caution", shorten(text));
         table.cell_problem(row, column, &message).hint(format!(
             "write {}, or leave the cell empty",
@@ -223,7 +200,7 @@ const GRID: u32 = 400;
 /// A missing column; every row with an unknown word, a median or β that is not above 0, a step or
 /// bounds whose lower end is above the upper one, a limit state that appears twice or a second
 /// measure for one object, each with its line and column.
-pub fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
+pub(crate) fn load_curves(path: &Path) -> Result<(InputFile, Vec<ObjectCurves>), Problems> {
     let bytes = load(path)?;
     Ok((InputFile::new(path, &bytes), read(&bytes, path)?))
 }
@@ -272,7 +249,7 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
             .filled(row, state)?
             .parse()
             .map_err(|_| bad(state, "a limit state", "write rocks, exceeds or overturns"))?;
-        let kind = kind_of(&table, row, (kind, median, beta), factor)?;
+        let kind = kind_of(&table, row, Columns { kind, median, beta }, factor)?;
         let curve = Curve { limit_state, kind };
         let found = table.given(row, CAPACITY).map(|column| {
             let hint = "write it as freestand fragility does, or leave the cell empty";
@@ -325,10 +302,17 @@ fn read(bytes: &[u8], path: &Path) -> Result<Vec<ObjectCurves>, Problems> {
     Ok(objects)
 }
 
+/// The places of the columns with the shape of a curve.
+struct Columns {
+    kind: usize,
+    median: usize,
+    beta: usize,
+}
+
 fn kind_of(
     table: &Table,
     row: &Row,
-    (kind, median, beta): (usize, usize, usize),
+    Columns { kind, median, beta }: Columns,
     factor: f64,
 ) -> Result<CurveKind, Problem> {
     let bound = |name: &str| -> Result<f64, Problem> {
@@ -445,43 +429,31 @@ mod tests {
     /// ln x = (1.5 ln 0.5 − 0.1 ln 0.6)/1.4, x = 0.4935; below it P(overturns) is the larger one.
     #[test]
     fn curves_that_contradict_each_other_are_named() {
-        let of = |exceeds: &str, overturns: &str| {
-            let row = |state: &str, curve: &str| {
-                format!("shelf,pgv,m/s,ground,{state},lognormal,{curve}\n")
+        let curves = |exceeds: &str, overturns: &str| {
+            let row = |id: &str, state: &str, curve: &str| {
+                format!("{id},pgv,m/s,ground,{state},lognormal,{curve}\n")
             };
-            let text = format!(
-                "{HEAD}\n{}{}",
-                row("exceeds", exceeds),
-                row("overturns", overturns)
-            );
-            read_text(&text).unwrap()[0].contradiction()
+            let rows = ["a", "b", "c"]
+                .map(|id| row(id, "exceeds", exceeds) + &row(id, "overturns", overturns));
+            read_text(&format!("{HEAD}\n{}", rows.concat())).unwrap()
         };
-        let said = of("0.5,0.1", "0.6,1.5").unwrap();
-        assert!(
-            said.starts_with("shelf: ") && said.contains("they cross at 0.494 m/s"),
-            "{said}"
-        );
-        assert!(
-            of("0.6,0.3", "0.5,0.3")
-                .unwrap()
-                .contains("they do not cross")
-        );
-        assert_eq!(of("0.3,0.3", "0.6,0.3"), None);
-    }
-
-    #[test]
-    fn contradictions_of_many_objects_are_one_sentence() {
-        let rows = |id: &str| {
-            format!(
-                "{id},pgv,m/s,ground,exceeds,lognormal,0.5,0.1\n{id},pgv,m/s,ground,overturns,lognormal,0.6,1.5\n"
-            )
+        let found = curves("0.5,0.1", "0.6,1.5");
+        let crossing = found[0].contradiction().unwrap().crossing.unwrap();
+        assert!((crossing - 0.4935).abs() < 1e-4, "{crossing}");
+        let Some(CurveDoubt::Contradiction { first, also }) = contradictions(&found) else {
+            panic!("all three contradict themselves")
         };
-        let text: String = (1..=9).map(|number| rows(&format!("o{number}"))).collect();
-        let said = contradictions(&read_text(&format!("{HEAD}\n{text}")).unwrap()).unwrap();
-        assert!(
-            said.starts_with("o1: between ") && said.ends_with(" (also o2, o3, o4 and 5 more)"),
-            "{said}"
+        assert_eq!(
+            (first.id.as_str(), also),
+            ("a", vec!["b".into(), "c".into()])
         );
+        assert_eq!(
+            (first.mild, first.severe),
+            (LimitState::Exceeds, LimitState::Overturns)
+        );
+        let apart = curves("0.6,0.3", "0.5,0.3")[0].contradiction().unwrap();
+        assert_eq!(apart.crossing, None);
+        assert_eq!(contradictions(&curves("0.3,0.3", "0.6,0.3")), None);
     }
 
     /// Capacities of a cell are those that were written, in the unit of the measure.
@@ -527,10 +499,11 @@ mod tests {
             [Some(TooMild::Glides), None]
         );
         let said = cautions(curves.iter().map(|one| (one.id.as_str(), one.caution)));
-        assert!(
-            said.len() == 1 && said[0].starts_with("1 object is free to roll or slide"),
-            "{said:?}"
-        );
+        let expected = CurveDoubt::TooMild {
+            why: TooMild::Glides,
+            ids: vec!["a".to_owned()],
+        };
+        assert_eq!(said.collect::<Vec<_>>(), [expected]);
         let problem = read_text(&format!("{head}\n{}", row("a", "rocks", "rolls"))).unwrap_err();
         assert!(
             problem

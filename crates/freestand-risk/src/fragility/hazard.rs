@@ -12,6 +12,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{Choices, counted, shortest};
 use freestand_output::{answer, answer_of};
 
+use super::doubt::HazardDoubt;
 use super::table::{Row, RowProblems, Table};
 use super::{At, Measure, measure_of};
 
@@ -79,16 +80,18 @@ pub struct MeasuredHazard {
     /// Whether coordinates choose one of its sites.
     pub has_sites: bool,
     /// What to know beside it.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<HazardDoubt>,
 }
 
 impl MeasuredHazard {
-    /// What is said of coordinates that are for it alone, and choose none of its sites.
-    pub(crate) fn site_doubt(&self, site_deg: Option<(f64, f64)>) -> Option<String> {
+    /// What to know beside it, with coordinates that are for it alone.
+    pub(crate) fn doubts_at(
+        &self,
+        site_deg: Option<(f64, f64)>,
+    ) -> impl Iterator<Item = HazardDoubt> {
         let is_idle = site_deg.is_some() && !self.has_sites;
-        is_idle.then(|| {
-            "`site_coordinates` has no effect: the file of the hazard curve has no sites".to_owned()
-        })
+        let idle = is_idle.then_some(HazardDoubt::IdleSite);
+        idle.into_iter().chain(self.doubts.iter().copied())
     }
 
     /// Refuses a hazard of another measure than that of outcomes.
@@ -197,7 +200,7 @@ pub(crate) fn hazard_of(
                 at,
                 file: None,
                 has_sites: false,
-                warnings: Vec::new(),
+                doubts: Vec::new(),
             })
         }
         HazardSource::Code {
@@ -256,7 +259,8 @@ fn from_file(
             } else {
                 column
             };
-            problems.push(disorder(&table, (above, column), (row, column), error));
+            let [above, here] = [above, row].map(|row| Cell { row, column });
+            problems.push(disorder(&table, above, here, error));
             return None;
         }
         Some(point)
@@ -268,14 +272,20 @@ fn from_file(
         at: place.of(measure)?,
         file,
         has_sites: false,
-        warnings: Vec::new(),
+        doubts: Vec::new(),
     })
+}
+
+/// A cell of a table.
+struct Cell<'t> {
+    row: &'t Row,
+    column: usize,
 }
 
 /// The problem with a cell that does not continue the curve. It quotes this cell and the one before
 /// it.
-fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: HazardError) -> Problem {
-    let [before, here] = [above, at].map(|(row, column)| shorten(table.text(row, column)));
+fn disorder(table: &Table, above: Cell, at: Cell, error: HazardError) -> Problem {
+    let [before, here] = [&above, &at].map(|cell| shorten(table.text(cell.row, cell.column)));
     let (message, hint) = match error {
         HazardError::NotFalling { .. } => (
             format!("the rate {here} is not below {before}, that of the weaker motions before it"),
@@ -287,7 +297,7 @@ fn disorder(table: &Table, above: (&Row, usize), at: (&Row, usize), error: Hazar
         ),
         other => (other.to_string(), HINT),
     };
-    table.cell_problem(at.0, at.1, &message).hint(hint)
+    table.cell_problem(at.row, at.column, &message).hint(hint)
 }
 
 /// The key in the comment above the headings that states the periods of AvgSA, as `sa_avg(0.2:2)`;
@@ -426,7 +436,8 @@ fn openquake(
         {
             problems.push(match error {
                 HazardError::NotFalling { .. } => {
-                    disorder(table, (row, above), (row, column), error)
+                    let [above, here] = [above, column].map(|column| Cell { row, column });
+                    disorder(table, above, here, error)
                 }
                 _ => {
                     let message = format!(
@@ -455,26 +466,20 @@ fn openquake(
             "export the curve with weaker or stronger intensities, or a shorter investigation time";
         return Err(table.row_problem(row, message).hint(hint).into());
     }
-    let left_out = |count: usize, why: &str| {
-        (count > 0).then(|| format!("hazard: {} left out: {why}", counted(count, "point")))
-    };
-    let warnings = [
-        left_out(certain, "the probability is 1, so the rate is not known"),
-        left_out(
-            equal,
-            "the next, stronger intensity has the same probability",
-        ),
-    ];
     let hazard =
         Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
-    let warnings = warnings.into_iter().flatten().collect();
+    let doubts = [
+        (certain, HazardDoubt::CertainPoints(certain)),
+        (equal, HazardDoubt::EqualPoints(equal)),
+    ];
+    let doubts = doubts.into_iter().filter(|(count, _)| *count > 0);
     Ok(MeasuredHazard {
         hazard,
         measure,
         at: place.of(measure)?,
         file: None,
         has_sites: true,
-        warnings,
+        doubts: doubts.map(|(_, doubt)| doubt).collect(),
     })
 }
 
@@ -644,18 +649,13 @@ fn of_code(
     let hazard = Hazard::points(points.collect()).map_err(|error| {
         Problem::value(error.to_string(), "give a hazard factor above 0").named("hazard_factor")
     })?;
-    let warnings = vec![
-        "the rates are those of design accelerations of a code, without its minimum and maximum: they are not a hazard \
-         study of the site"
-            .to_owned(),
-    ];
     Ok(MeasuredHazard {
         hazard,
         measure,
         at: At::Ground,
         file: None,
         has_sites: false,
-        warnings,
+        doubts: vec![HazardDoubt::DesignAccelerations],
     })
 }
 

@@ -115,7 +115,7 @@ impl Measure {
 
     /// A value with its unit, or with the name of the measure if it has no unit: `0.2 m/s`,
     /// `velocity_ratio 0.5`.
-    pub(crate) fn value_words(self, value: f64) -> String {
+    pub fn value_words(self, value: f64) -> String {
         match self.unit() {
             "1" => format!("{} {}", self.name(), shortest(value)),
             unit => format!("{} {unit}", shortest(value)),

@@ -1,7 +1,7 @@
 //! Fragilities of objects: fitted to a table of outcomes, and written for other programs.
 
-mod answer;
 mod curves;
+mod doubt;
 mod hazard;
 pub mod measure;
 mod outcomes;
@@ -18,30 +18,30 @@ use freestand::fragility::{
 };
 use freestand::risk::{Capacity, capacities};
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::shorten;
-use freestand_input::words::{Choices, counted, name_of, significant};
+use freestand_input::words::{Choices, name_of};
 use freestand_output::facts::{Facts, table};
 use freestand_output::table::Table;
-use freestand_study::run::{Progress, Step, no_progress};
+use freestand_study::run::{Progress, Step};
 use rayon::prelude::*;
 
-use freestand_inventory::too_mild::{TOO_MILD, TooMild};
+use freestand_inventory::too_mild::TooMild;
 
+pub use curves::ObjectCurves;
 pub use curves::cautions;
-pub(crate) use curves::contradictions;
 use curves::{CAPACITY, CAUTION, capacities_text};
-pub use curves::{ObjectCurves, load_curves};
+pub(crate) use curves::{contradictions, load_curves};
+pub use doubt::{Contradiction, CurveDoubt, FitDoubt, HazardDoubt, UnusedColumn};
 pub use hazard::MeasuredHazard;
 pub(crate) use hazard::{AVERAGE_KEY, HazardPlace, hazard_of, number_and_unit};
 pub use hazard::{HAZARD_CODES, HazardCode, HazardSource};
 pub use measure::{At, Measure};
 pub use outcomes::OutcomeTable;
 pub(crate) use outcomes::measure_of;
-pub use quality::Quality;
+pub use quality::{Quality, Sufficiency};
 pub use runs::{
-    Change, ChangedObject, DEFAULT_MAX_SCALE, DEFAULT_WORLDS, FloorMotion, Followed, GIVEN_ID,
-    GivenObject, KeepRuns, Limits, METHODS, Method, ObjectRuns, RunObjects, RunsReport,
-    RunsRequest, StudyTold, file_name, fragility_of_runs, measures, scales,
+    Added, Change, ChangedObject, DEFAULT_MAX_SCALE, FloorMotion, FloorShaking, Followed,
+    GivenObject, KeepRuns, LeftOut, Limits, METHODS, Method, ObjectRuns, RunObjects, RunsDoubt,
+    RunsReport, RunsRequest, file_name, fragility_of_runs, measures, scales,
 };
 
 /// How limit states are fitted, by name.
@@ -109,7 +109,7 @@ pub const TWO_STAGE: &str = "two-stage";
 const LEAST_ROTATION_RATIO: f64 = 0.01;
 
 /// Bootstrap samples where none are asked for.
-pub const DEFAULT_REPLICATES: u32 = 1000;
+pub(crate) const DEFAULT_REPLICATES: u32 = 1000;
 
 /// The most simulated samples for the p-value of a fit; more would not change what it says.
 const MAX_SIMULATED: u32 = 199;
@@ -129,7 +129,7 @@ pub struct FragilityRequest {
     /// The tolerance and the ceiling for a fit of shocks; `None`: the classes of the table are
     /// fitted. For runs: those of the first object whose shocks are fitted.
     pub shock: Option<ShockLimits>,
-    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`], 0: none.
+    /// Bootstrap samples; `None`: 1000, 0: none.
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,
@@ -145,17 +145,17 @@ pub struct ObjectFragility {
     /// Runs that could not be followed.
     pub unresolved: usize,
     /// Why, in words: each reason once.
-    pub reasons: Vec<String>,
+    pub(crate) reasons: Vec<String>,
     /// Its curves.
     pub fit: Fit,
     /// Between which intensities of the runs the capacities are, for each limit state.
     pub(crate) capacities: Vec<(LimitState, Vec<Capacity>)>,
     /// Why it may fail more often than its curves say; `None`: that is not said.
-    pub(crate) caution: Option<TooMild>,
+    pub caution: Option<TooMild>,
     /// The probability of exceeding the tolerance, from the shocks.
     pub two_stage: Option<TwoStage>,
     /// Why the outcomes of runs were fitted instead of their shocks.
-    pub no_two_stage: Option<String>,
+    pub(crate) no_two_stage: Option<ShockFitError>,
     /// How well they fit.
     pub goodness: Option<Goodness>,
     /// Fits of samples of motions; `None` for counts.
@@ -179,44 +179,41 @@ pub struct FragilityReport {
     pub at: At,
     /// The objects, as they first appear in the table.
     pub objects: Vec<ObjectFragility>,
-    /// What to know beside the result.
-    pub warnings: Vec<String>,
     /// How the runs were chosen.
     pub method: &'static str,
 }
 
-/// Fits the fragilities of all objects of a table.
+/// Fits the fragilities of all objects of a table. The caller can stop it, at every bootstrap sample at the
+/// latest.
 ///
 /// # Errors
-/// A table that cannot be read, with all its problems.
-pub fn fragility(request: FragilityRequest) -> Result<FragilityReport, Problems> {
-    fragility_watched(request, &no_progress)
-}
-
-/// As [`fragility`], but the caller can stop it, at every bootstrap sample at the latest.
-///
-/// # Errors
-/// As [`fragility`], and if the caller stopped it.
-pub fn fragility_watched(
+/// A table that cannot be read, with all its problems; and if the caller stopped it.
+pub fn fragility(
     request: FragilityRequest,
     progress: Progress,
 ) -> Result<FragilityReport, Problems> {
     check_replicates(request.replicates)?;
-    let table = OutcomeTable::load_watched(&request.outcomes, progress)?;
+    let table = OutcomeTable::load(&request.outcomes, progress)?;
     request
         .shock
         .map_or(Ok(()), |limits| table.check_shocks(limits.ceiling_g))?;
     let limits = vec![request.shock; table.objects.len()];
-    fitted(request, table, (METHOD, &limits), progress)
+    let fitting = Fitting {
+        request,
+        table,
+        method: METHOD,
+        limits: &limits,
+    };
+    fitting.fitted(progress)
 }
 
 /// The most bootstrap samples: each keeps the curves of every object.
-pub const MAX_REPLICATES: u32 = 100_000;
+const MAX_REPLICATES: u32 = 100_000;
 
 /// Refuses more samples than memory has room for.
 ///
 /// # Errors
-/// More than [`MAX_REPLICATES`].
+/// More than 100,000.
 pub fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
     let Some(many) = replicates.filter(|replicates| *replicates > MAX_REPLICATES) else {
         return Ok(());
@@ -241,110 +238,115 @@ pub(crate) fn go_on(progress: Progress) -> Result<(), Problem> {
     }
 }
 
-/// Fits the fragilities of all objects of a table that was read; `limits` has the limits of each
-/// object whose shocks are fitted, and `None` for the others.
-fn fitted(
+/// A table that was read, and how its fragilities are fitted.
+struct Fitting<'a> {
     request: FragilityRequest,
     table: OutcomeTable,
-    (method, limits): (&'static str, &[Option<ShockLimits>]),
-    progress: Progress,
-) -> Result<FragilityReport, Problems> {
-    let at = table.measure.at(request.at)?;
-    let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
-    let is_wanted = || go_on(progress).is_ok();
-    let shocks = if limits.iter().any(Option::is_some) {
-        table.shocks()
-    } else {
-        Vec::new()
-    };
-    // Within an object the samples are calculated in parallel.
-    let each = table
-        .objects
-        .iter()
-        .zip(table.by_object()?)
-        .zip(table.uplifts())
-        .zip(limits)
-        .enumerate();
-    let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
-        go_on(progress)?;
-        let mut states = outcomes.limit_states();
-        let all = states.clone();
-        if limits.is_some() {
-            states.retain(|state| *state != LimitState::Exceeds);
-        }
-        let mut fit = fit_curves(&outcomes, &states, request.fit);
-        let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
-        let (two_stage, no_two_stage) = match limits
-            .map(|limits| two_stage(shocks, &fit, limits))
-            .transpose()
-        {
-            Ok(found) => (found, None),
-            Err(error) if method == METHOD => {
-                return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
-            }
-            // Some of many objects may have too few shocks; their outcomes can still be fitted.
-            Err(error) => {
-                states = all;
-                fit = fit_curves(&outcomes, &states, request.fit);
-                (None, Some(error.to_string()))
-            }
+    /// How the runs were chosen.
+    method: &'static str,
+    /// For each object the limits of a fit of its shocks; `None`: its outcomes are fitted.
+    limits: &'a [Option<ShockLimits>],
+}
+
+impl Fitting<'_> {
+    /// Fits the fragilities of all objects.
+    fn fitted(self, progress: Progress) -> Result<FragilityReport, Problems> {
+        let Self {
+            request,
+            table,
+            method,
+            limits,
+        } = self;
+        let at = table.measure.at(request.at)?;
+        let replicates = request.replicates.unwrap_or(DEFAULT_REPLICATES);
+        let is_wanted = || go_on(progress).is_ok();
+        let shocks = if limits.iter().any(Option::is_some) {
+            table.shocks()
+        } else {
+            Vec::new()
         };
-        let goodness = goodness(
-            &outcomes,
-            &fit,
-            (replicates.min(MAX_SIMULATED), request.seed),
-            &is_wanted,
-        );
-        let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
-            .then(|| {
-                bootstrap(
-                    &outcomes,
-                    &states,
-                    request.fit,
-                    (replicates, request.seed),
-                    &is_wanted,
-                )
-            })
-            .flatten();
-        go_on(progress)?;
-        let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
-        let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
-        Ok(ObjectFragility {
-            id: id.clone(),
-            capacities: fit
-                .curves
-                .iter()
-                .map(|curve| found(curve.limit_state))
-                .collect(),
-            outcomes,
-            unresolved,
-            reasons: table.reasons.get(i).cloned().unwrap_or_default(),
-            fit,
-            caution: table.cautions.get(i).copied().flatten(),
-            two_stage,
-            no_two_stage,
-            goodness,
-            bootstrap,
-            qualities: Vec::new(),
-            resurrections: None,
-            scaled_above_4: None,
-        })
-    });
-    let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
-    let mut warnings = cautions(
-        objects
+        // Within an object the samples are calculated in parallel.
+        let each = table
+            .objects
             .iter()
-            .map(|one: &ObjectFragility| (one.id.as_str(), one.caution)),
-    );
-    warnings.extend(gathered(&objects));
-    Ok(FragilityReport {
-        request,
-        table,
-        at,
-        objects,
-        warnings,
-        method,
-    })
+            .zip(table.by_object()?)
+            .zip(table.uplifts())
+            .zip(limits)
+            .enumerate();
+        let objects = each.map(|(i, (((id, outcomes), uplifts), limits))| {
+            go_on(progress)?;
+            let mut states = outcomes.limit_states();
+            let all = states.clone();
+            if limits.is_some() {
+                states.retain(|state| *state != LimitState::Exceeds);
+            }
+            let mut fit = fit_curves(&outcomes, &states, request.fit);
+            let shocks = shocks.get(i).map_or(&[][..], Vec::as_slice);
+            let (two_stage, no_two_stage) = match limits
+                .map(|limits| two_stage(shocks, &fit, limits))
+                .transpose()
+            {
+                Ok(found) => (found, None),
+                Err(error) if method == METHOD => {
+                    return Err(table.object_problem(i, &error.to_string(), shock_hint(error)));
+                }
+                // Some of many objects may have too few shocks; their outcomes can still be fitted.
+                Err(error) => {
+                    states = all;
+                    fit = fit_curves(&outcomes, &states, request.fit);
+                    (None, Some(error))
+                }
+            };
+            let goodness = goodness(
+                &outcomes,
+                &fit,
+                (replicates.min(MAX_SIMULATED), request.seed),
+                &is_wanted,
+            );
+            let bootstrap = (replicates > 0 && !fit.fitted_states().is_empty())
+                .then(|| {
+                    bootstrap(
+                        &outcomes,
+                        &states,
+                        request.fit,
+                        (replicates, request.seed),
+                        &is_wanted,
+                    )
+                })
+                .flatten();
+            go_on(progress)?;
+            let unresolved = table.unresolved.get(i).copied().unwrap_or(0);
+            let found = |state: LimitState| (state, capacities(&outcomes, state, &uplifts));
+            Ok(ObjectFragility {
+                id: id.clone(),
+                capacities: fit
+                    .curves
+                    .iter()
+                    .map(|curve| found(curve.limit_state))
+                    .collect(),
+                outcomes,
+                unresolved,
+                reasons: table.reasons.get(i).cloned().unwrap_or_default(),
+                fit,
+                caution: table.cautions.get(i).copied().flatten(),
+                two_stage,
+                no_two_stage,
+                goodness,
+                bootstrap,
+                qualities: Vec::new(),
+                resurrections: None,
+                scaled_above_4: None,
+            })
+        });
+        let objects = objects.collect::<Result<Vec<_>, Problem>>()?;
+        Ok(FragilityReport {
+            request,
+            table,
+            at,
+            objects,
+            method,
+        })
+    }
 }
 
 /// The probability of exceeding a tolerance, from the shocks of an object (each with its line).
@@ -394,145 +396,6 @@ const MANY_FAILED: f64 = 0.02;
 /// Motions below which percentile intervals are too narrow (docs/risk.md).
 const FEW_MOTIONS: usize = 40;
 
-/// The most objects with the same warning that are named one by one.
-const MAX_NAMED: usize = 3;
-
-/// The warnings of all objects; one that many of them share is said once.
-fn gathered(objects: &[ObjectFragility]) -> Vec<String> {
-    let mut kinds: Vec<(String, Vec<&str>)> = Vec::new();
-    for object in objects {
-        for text in warnings(object) {
-            match kinds.iter_mut().find(|(known, _)| *known == text) {
-                Some((_, ids)) => ids.push(&object.id),
-                None => kinds.push((text, vec![&object.id])),
-            }
-        }
-    }
-    let said = kinds
-        .into_iter()
-        .flat_map(|(text, ids)| match ids.as_slice() {
-            [first, ..] if ids.len() > MAX_NAMED => {
-                vec![format!(
-                    "{}, {} among them: {text}",
-                    counted(ids.len(), "object"),
-                    shorten(first)
-                )]
-            }
-            _ => ids.iter().map(|id| format!("{id}: {text}")).collect(),
-        });
-    said.collect()
-}
-
-/// The warnings of an object, without its id.
-fn warnings(object: &ObjectFragility) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if let Some(why) = &object.no_two_stage {
-        warnings.push(format!(
-            "exceeds is fitted to the outcomes, not to the shocks: {why}"
-        ));
-    }
-    if object.unresolved > 0 {
-        let verb = if object.unresolved == 1 {
-            "was"
-        } else {
-            "were"
-        };
-        let mut why: Vec<&str> = object
-            .reasons
-            .iter()
-            .take(MAX_NAMED)
-            .map(String::as_str)
-            .collect();
-        if object.reasons.len() > MAX_NAMED {
-            why.push("and others: see the column reason of the table");
-        }
-        let why = if why.is_empty() {
-            String::new()
-        } else {
-            format!(": {}", why.join("; "))
-        };
-        warnings.push(format!(
-            "{} could not be calculated and {verb} left out of the fit{why}",
-            counted(object.unresolved, "run")
-        ));
-    }
-    let levels = object.outcomes.levels();
-    let ends = levels.first().zip(levels.last());
-    if let Some((one, other, x)) = ends.and_then(|(from, to)| object.fit.crossing(*from, *to)) {
-        warnings.push(format!(
-            "the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
-             one: use `fit = \"ordered\"`",
-            one.name(),
-            other.name(),
-            significant(x, 3)
-        ));
-    }
-    if object
-        .goodness
-        .is_some_and(|goodness| goodness.is_misfit() == Some(true))
-    {
-        warnings.push(format!(
-            "the curves do not fit the runs (p = {}): compare them with empirical.csv",
-            significant(
-                object
-                    .goodness
-                    .and_then(|goodness| goodness.p_value)
-                    .unwrap_or(0.0),
-                2
-            )
-        ));
-    }
-    for curve in &object.fit.curves {
-        if matches!(curve.kind, CurveKind::NotIncreasing { .. }) {
-            let state = curve.limit_state.name();
-            warnings.push(format!(
-                "{state} is not more frequent at higher intensities, so no curve fits"
-            ));
-        }
-        if matches!(curve.kind, CurveKind::Bounds { .. }) {
-            let state = curve.limit_state.name();
-            warnings.push(format!(
-                "at one level alone some runs reach {state} and some do not, so only its bounds are known: run more \
-                 levels or motions"
-            ));
-        }
-        if let Some(why) = object.lacks_interval(curve.limit_state) {
-            let state = curve.limit_state.name();
-            warnings.push(format!(
-                "{state} has no 95 % interval, because {}",
-                why_no_interval(why)
-            ));
-        }
-    }
-    if let Some(bootstrap) = &object.bootstrap {
-        let motions = object.outcomes.motions().unwrap_or(0);
-        if motions < FEW_MOTIONS {
-            let motions = counted(motions, "motion");
-            warnings.push(format!(
-                "the 95 % intervals of {motions} are too narrow, above all those of beta"
-            ));
-        }
-        if bootstrap.failed as f64 > MANY_FAILED * bootstrap.samples.len() as f64 {
-            warnings.push(format!(
-                "{} of {} samples have no curve, so the intervals are doubtful: run more motions or levels",
-                bootstrap.failed,
-                bootstrap.samples.len()
-            ));
-        }
-    }
-    warnings
-}
-
-/// Why there is no interval, for people and in the document.
-fn why_no_interval(why: NoInterval) -> String {
-    match why {
-        NoInterval::FewCurves { known, samples } => {
-            format!("only {known} of {samples} samples have a curve: run more motions or levels")
-        }
-        NoInterval::AllEqual => "all samples have the same curve: run more motions".to_owned(),
-    }
-}
-
 /// A sum of weights without the rounding of its parts, if it is a whole number. Weights of a user that
 /// do not sum to one stay as they are.
 fn whole(sum: f64) -> f64 {
@@ -560,7 +423,50 @@ impl ObjectFragility {
         }
     }
 
-    fn capacities_of(&self, state: LimitState) -> &[Capacity] {
+    /// What to know beside its fit.
+    fn doubts(&self) -> Vec<FitDoubt> {
+        let mut doubts: Vec<FitDoubt> = Vec::new();
+        doubts.extend(self.no_two_stage.map(FitDoubt::NotByShock));
+        if self.unresolved > 0 {
+            doubts.push(FitDoubt::Unresolved {
+                runs: self.unresolved,
+                reasons: self.reasons.clone(),
+            });
+        }
+        let levels = self.outcomes.levels();
+        let ends = levels.first().zip(levels.last());
+        let crossing = ends.and_then(|(from, to)| self.fit.crossing(*from, *to));
+        doubts.extend(crossing.map(|(one, other, intensity)| FitDoubt::Crossing {
+            one,
+            other,
+            intensity,
+        }));
+        let misfit = self.goodness.filter(|one| one.is_misfit() == Some(true));
+        doubts.extend(misfit.map(|one| FitDoubt::Misfit {
+            p_value: one.p_value.unwrap_or(0.0),
+        }));
+        for curve in &self.fit.curves {
+            let state = curve.limit_state;
+            doubts.extend(match curve.kind {
+                CurveKind::NotIncreasing { .. } => Some(FitDoubt::NotIncreasing(state)),
+                CurveKind::Bounds { .. } => Some(FitDoubt::OnlyBounds(state)),
+                _ => self
+                    .lacks_interval(state)
+                    .map(|why| FitDoubt::NoInterval { state, why }),
+            });
+        }
+        if let Some(bootstrap) = &self.bootstrap {
+            let motions = self.outcomes.motions().unwrap_or(0);
+            doubts.extend((motions < FEW_MOTIONS).then_some(FitDoubt::FewMotions(motions)));
+            let (failed, samples) = (bootstrap.failed, bootstrap.samples.len());
+            let is_many = failed as f64 > MANY_FAILED * samples as f64;
+            doubts.extend(is_many.then_some(FitDoubt::FailedSamples { failed, samples }));
+        }
+        doubts
+    }
+
+    /// Between which intensities of the runs the capacities of a limit state are.
+    pub fn capacities_of(&self, state: LimitState) -> &[Capacity] {
         self.capacities
             .iter()
             .find(|one| one.0 == state)
@@ -568,19 +474,20 @@ impl ObjectFragility {
     }
 
     /// How it was fitted.
-    fn fit_name(&self) -> &'static str {
+    pub fn fit_name(&self) -> &'static str {
         match self.two_stage {
             Some(_) if self.fit.kind == FitKind::Ordered => TWO_STAGE,
             _ => name_of(FITS, self.fit.kind),
         }
     }
 
-    fn runs(&self) -> f64 {
+    /// How many runs it has: the sum of their weights.
+    pub fn runs(&self) -> f64 {
         whole(self.outcomes.totals().iter().sum())
     }
 
     /// Why a lognormal curve has no interval although samples were drawn.
-    fn lacks_interval(&self, state: LimitState) -> Option<NoInterval> {
+    pub fn lacks_interval(&self, state: LimitState) -> Option<NoInterval> {
         let is_lognormal = matches!(self.fit.curve(state)?, CurveKind::Lognormal { .. });
         self.bootstrap
             .as_ref()
@@ -601,45 +508,19 @@ impl ObjectFragility {
 const METHOD: &str = "outcomes";
 
 impl FragilityReport {
-    /// One row for each curve, for people.
-    pub fn rows(&self) -> Vec<Facts<'static>> {
-        let rows = self.objects.iter().flat_map(|object| {
-            object.fit.curves.iter().map(move |curve| {
-                let interval = object.interval(curve.limit_state);
-                let (median, beta) = interval.unzip();
-                let both = |pair: Option<(f64, f64)>| {
-                    pair.map(|(low, high)| {
-                        format!("{} to {}", significant(low, 3), significant(high, 3))
-                    })
-                };
-                Facts::default()
-                    .key("id", object.id.clone())
-                    .key("limit_state", curve.limit_state.name())
-                    .key("kind", curve.kind.name())
-                    .key("median", curve.kind.median())
-                    .key("median_ci95", both(median))
-                    .key("beta", curve.kind.beta())
-                    .key("beta_ci95", both(beta))
-                    .key("lower", curve.kind.lower())
-                    .key("upper", curve.kind.upper())
+    /// What to know beside the result.
+    pub fn doubts(&self) -> Vec<CurveDoubt> {
+        let objects = self.objects.iter();
+        let of_fits = objects.clone().flat_map(|one| {
+            let doubts = one.doubts().into_iter();
+            doubts.map(|doubt| CurveDoubt::Fit {
+                id: one.id.clone(),
+                doubt,
             })
         });
-        let by_shock = self.objects.iter().filter_map(|object| {
-            let two_stage = object.two_stage?;
-            let none = None::<f64>;
-            let row = Facts::default()
-                .key("id", object.id.clone())
-                .key("limit_state", LimitState::Exceeds.name())
-                .key("kind", TWO_STAGE)
-                .key("median", two_stage.median())
-                .key("median_ci95", none)
-                .key("beta", none)
-                .key("beta_ci95", none)
-                .key("lower", none)
-                .key("upper", none);
-            Some(row)
-        });
-        rows.chain(by_shock).collect()
+        cautions(objects.map(|one| (one.id.as_str(), one.caution)))
+            .chain(of_fits)
+            .collect()
     }
 
     /// `fragility.csv`: one row for each curve.
@@ -674,7 +555,7 @@ impl FragilityReport {
                         CAPACITY,
                         capacities_text(object.capacities_of(curve.limit_state)),
                     )
-                    .key(CAUTION, object.caution.map(|why| name_of(TOO_MILD, why)))
+                    .key(CAUTION, object.caution.map(TooMild::name))
             })
         }))
     }
@@ -716,6 +597,8 @@ impl FragilityReport {
 mod tests {
     use std::path::Path;
 
+    use freestand_study::run::no_progress;
+
     use super::*;
 
     fn report(text: &str) -> FragilityReport {
@@ -729,7 +612,13 @@ mod tests {
             seed: 1,
         };
         let limits = vec![None; table.objects.len()];
-        fitted(request, table, (METHOD, &limits), &no_progress).unwrap()
+        let fitting = Fitting {
+            request,
+            table,
+            method: METHOD,
+            limits: &limits,
+        };
+        fitting.fitted(&no_progress).unwrap()
     }
 
     #[test]
@@ -757,13 +646,10 @@ mod tests {
             Some(NoInterval::AllEqual)
         );
         assert!(object.interval(LimitState::Overturns).is_none());
-        assert!(
-            report
-                .warnings
-                .iter()
-                .any(|text| text.contains("no 95 % interval")),
-            "{:?}",
-            report.warnings
-        );
+        let doubt = FitDoubt::NoInterval {
+            state: LimitState::Overturns,
+            why: NoInterval::AllEqual,
+        };
+        assert!(object.doubts().contains(&doubt), "{:?}", object.doubts());
     }
 }

@@ -9,7 +9,7 @@ use freestand_input::file::{InputFile, load};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
-use freestand_study::run::{Progress, no_progress};
+use freestand_study::run::Progress;
 
 use super::LEAST_ROTATION_RATIO;
 use super::curves::caution_of;
@@ -86,16 +86,8 @@ impl OutcomeTable {
     /// # Errors
     /// A missing column; every row with a class that does not exist, an intensity that is not above
     /// 0 or an empty cell, each with its line and column; a second row for the same object, motion
-    /// and intensity; the table that `assess` writes.
-    pub fn load(path: &Path) -> Result<Self, Problems> {
-        Self::load_watched(path, &no_progress)
-    }
-
-    /// As [`OutcomeTable::load`], but the caller can stop it.
-    ///
-    /// # Errors
-    /// As [`OutcomeTable::load`], and if the caller stopped it.
-    pub(super) fn load_watched(path: &Path, progress: Progress) -> Result<Self, Problems> {
+    /// and intensity; the table that `assess` writes; and if the caller stopped it.
+    pub(super) fn load(path: &Path, progress: Progress) -> Result<Self, Problems> {
         let read = Self::read(&load(path)?, path, progress)?;
         read.check_twice(progress)?;
         Ok(read)
@@ -592,6 +584,8 @@ pub(crate) fn measure_of(table: &Table) -> Result<(usize, Measure, f64), Problem
 
 #[cfg(test)]
 mod tests {
+    use freestand_study::run::no_progress;
+
     use super::*;
 
     fn read(text: &str) -> Result<OutcomeTable, Problems> {

@@ -1,6 +1,7 @@
 //! How well an intensity measure tells whether an object fails.
 
 use freestand::fragility::LimitState;
+use freestand_output::answer_of;
 
 /// A measure and a limit state of one object.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,3 +28,23 @@ impl Quality {
         Some(self.efficiency? / practicality)
     }
 }
+
+answer_of!(Quality as quality {
+    limit_state: &'static str = quality.limit_state.name();
+    efficiency: Option<f64> = quality.efficiency;
+    practicality: Option<f64> = quality.practicality;
+    proficiency: Option<f64> = quality.proficiency();
+    sufficiency: Sufficiency<'_> = Sufficiency(quality);
+});
+
+/// p-values; what motions from files do not tell has none.
+#[derive(Clone, Copy)]
+pub struct Sufficiency<'q>(pub &'q Quality);
+
+answer_of!(Sufficiency<'_> as p {
+    magnitude: Option<f64> = None;
+    distance: Option<f64> = None;
+    epsilon: Option<f64> = None;
+    mean_period: Option<f64> = p.0.p_mean_period;
+    pgv_over_pga: Option<f64> = p.0.p_velocity_over_acceleration;
+});

@@ -10,6 +10,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{nearest, some};
 use freestand_study::run::Progress;
 
+use super::doubt::UnusedColumn;
 use super::go_on;
 
 /// A heading such as `pfv [m/s]`: its name in small letters with `_` for blanks, and the unit in
@@ -256,30 +257,18 @@ impl Table {
         Ok(table)
     }
 
-    /// A warning about columns that are not among `known`: without it, a misspelt column would be
-    /// ignored silently.
-    pub(crate) fn unused(&self, known: &[&str]) -> Option<String> {
+    /// The columns that are not among `known`: unsaid, a misspelt one would be ignored silently.
+    pub(crate) fn unused(&self, known: &[&str]) -> Vec<UnusedColumn> {
         let unknown = |heading: &&Heading| {
             !heading.name.is_empty() && !known.contains(&heading.name.as_str())
         };
-        let said: Vec<String> = self
-            .headings
-            .iter()
-            .filter(unknown)
-            .map(|heading| {
-                let near = nearest(&heading.name, known)
-                    .map(|near| format!(" (is it {near}?)"))
-                    .unwrap_or_default();
-                format!("{}{near}", shorten(&heading.written))
+        let unused = self.headings.iter().filter(unknown);
+        unused
+            .map(|heading| UnusedColumn {
+                heading: heading.written.clone(),
+                near: nearest(&heading.name, known).map(str::to_owned),
             })
-            .collect();
-        let columns = if said.len() == 1 {
-            "this column is"
-        } else {
-            "these columns are"
-        };
-        let file = self.path.display();
-        (!said.is_empty()).then(|| format!("{file}: {columns} not used: {}", said.join(", ")))
+            .collect()
     }
 
     /// A problem with the headings.

@@ -103,7 +103,7 @@ fn verdicts_follow_the_accepted_rates() {
     let without = super::judged(&both[1..], Some(1e-3), Some(1e-2));
     assert_eq!(
         (without.verdict, without.why),
-        (None, Some("there is no curve of exceeding"))
+        (None, Some(Unjudged::NoCurve(LimitState::Exceeds)))
     );
     // One rate that is surely too large is enough.
     assert_eq!(

@@ -5,8 +5,7 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 
-use super::super::measure::{At, Measure};
-use super::shaking::FloorShaking;
+use super::shaking::{Asked, FloorShaking};
 use super::{Method, ObjectRuns, RunsRequest};
 use freestand_assess::verdict::NominalRun;
 use freestand_assess::worlds::FloorOfWorld;
@@ -128,7 +127,7 @@ pub(super) fn first_runs(
     request: &RunsRequest,
     one: &ObjectRuns,
     shaking: &FloorShaking,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     go_on: GoOn,
 ) -> Result<Vec<Followed>, Problems> {
     let scales_ratio = match (request.method, &request.scales) {
@@ -163,22 +162,20 @@ pub(super) fn first_runs(
 fn stripes(
     one: &ObjectRuns,
     shaking: &FloorShaking,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     levels: &[f64],
 ) -> Result<Vec<f64>, Problems> {
-    let Some((measure, at)) = measures.first() else {
+    let Some(first) = measures.first() else {
         return Ok(Vec::new());
     };
-    let of_one = shaking
-        .intensity(*measure, 0, *at, one.factors)
-        .ok_or_else(|| {
-            let message = format!(
-                "the motion {} has no {}",
-                shorten(&shaking.name),
-                measure.name()
-            );
-            Problem::value(message, "give a measure that every motion has").of(&["im"])
-        })?;
+    let of_one = shaking.intensity(*first, one.factors).ok_or_else(|| {
+        let message = format!(
+            "the motion {} has no {}",
+            shorten(&shaking.name),
+            first.measure.name()
+        );
+        Problem::value(message, "give a measure that every motion has").of(&["im"])
+    })?;
     Ok(levels.iter().map(|level| level / of_one).collect())
 }
 
@@ -224,16 +221,10 @@ const NORMAL_95: f64 = 1.644_853_626_951_472_6;
 /// The intensities over which the runs of all motions are spread: all that were run of the motions
 /// that lift the object, and the 5–95 % band of the capacities. A motion that is too weak to lift it
 /// at the largest scale would only add levels at which nothing happens; if none lifts it, all count.
-fn span(
-    one: &ObjectRuns,
-    shakings: &[FloorShaking],
-    measure: Measure,
-    place: usize,
-    at: At,
-) -> Option<(f64, f64)> {
+fn span(one: &ObjectRuns, shakings: &[FloorShaking], asked: Asked) -> Option<(f64, f64)> {
     let units: Vec<Option<f64>> = shakings
         .iter()
-        .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+        .map(|shaking| shaking.intensity(asked, one.factors))
         .collect();
     let each = || {
         one.motions
@@ -280,14 +271,13 @@ pub(super) fn fill(
     request: &RunsRequest,
     one: &mut ObjectRuns,
     shakings: &[FloorShaking],
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     go_on: GoOn,
 ) -> Result<(), Problems> {
     use rayon::prelude::*;
     let spans: Vec<Option<(f64, f64)>> = measures
         .iter()
-        .enumerate()
-        .map(|(place, (measure, at))| span(one, shakings, *measure, place, *at))
+        .map(|asked| span(one, shakings, *asked))
         .collect();
     one.spans.clone_from(&spans);
     let seen: &ObjectRuns = one;
@@ -297,8 +287,8 @@ pub(super) fn fill(
         .map(|(shaking, runs)| {
             let mut scales_ratio: Vec<f64> = runs.iter().map(|run| run.scale_ratio).collect();
             let mut added = Vec::new();
-            for (place, ((measure, at), span)) in measures.iter().zip(&spans).enumerate() {
-                let unit = shaking.intensity(*measure, place, *at, seen.factors);
+            for (asked, span) in measures.iter().zip(&spans) {
+                let unit = shaking.intensity(*asked, seen.factors);
                 let Some((unit, (from, to))) = unit.zip(*span) else {
                     continue;
                 };

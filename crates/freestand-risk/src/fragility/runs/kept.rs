@@ -8,10 +8,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::json;
 
 use super::super::hazard::MeasuredHazard;
-use super::super::measure::{At, Measure};
 use super::super::{FRAGILITY_SCHEMA, FitMethod};
 use super::follow::Followed;
 use super::levels::ROUNDS;
+use super::shaking::Asked;
 use super::{Change, METHODS, ObjectRuns, RunObjects, RunsRequest};
 use freestand_assess::key::resume_key;
 use freestand_assess::portfolio::progress_names;
@@ -45,7 +45,7 @@ type KeptRun = (f64, Result<(usize, Option<f64>, Option<f64>), String>);
 /// A folder that cannot be written, or that has files that freestand did not write.
 pub(super) fn open(
     request: &RunsRequest,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     hazard: Option<&MeasuredHazard>,
     objects: usize,
 ) -> Result<Option<Store>, Problem> {
@@ -90,7 +90,7 @@ pub(super) fn open(
         "max_scale": request.max_scale_ratio,
         "rotation": request.rotation_ratio,
         "with_pads": request.fit != FitMethod::TwoStage,
-        "measures": measures.iter().map(|(measure, at)| (measure.name(), at.name())).collect::<Vec<_>>(),
+        "measures": measures.iter().map(|one| (one.measure.name(), one.at.name())).collect::<Vec<_>>(),
     });
     let rounds = hazard.map_or(0, |_| ROUNDS);
     let parts: Vec<Part> = (0..=rounds)

@@ -9,8 +9,7 @@ use freestand_input::words::name_of;
 use rayon::prelude::*;
 
 use super::super::hazard::{HazardPlace, MeasuredHazard, hazard_of};
-use super::super::measure::{At, Measure};
-use super::shaking::FloorShaking;
+use super::shaking::{Asked, FloorShaking, Motions};
 use super::{METHODS, Method, ObjectRuns, RunsRequest, follow};
 
 /// The ratio of neighbours. The part of a rate between two intensities is at most about k ln ratio times the
@@ -28,11 +27,11 @@ const BEYOND: f64 = 1.5;
 pub(super) fn chosen(
     request: &RunsRequest,
     objects: &[ObjectRuns],
-    floors: &[Vec<FloorShaking>],
-    measures: &[(Measure, At)],
+    motions: Motions,
     go_on: follow::GoOn,
 ) -> Result<Vec<f64>, Problems> {
-    let Some(&(measure, at)) = measures.first() else {
+    let Motions { floors, measures } = motions;
+    let Some(&first) = measures.first() else {
         return Ok(Vec::new());
     };
     let pilot = RunsRequest {
@@ -47,7 +46,7 @@ pub(super) fn chosen(
         };
         for (place, shaking) in floors.get(one.floor).into_iter().flatten().enumerate() {
             go_on()?;
-            let Some(unit) = shaking.intensity(measure, 0, at, one.factors) else {
+            let Some(unit) = shaking.intensity(first, one.factors) else {
                 continue;
             };
             let uplift = follow::uplift_ratio(request, one, shaking)
@@ -69,7 +68,7 @@ pub(super) fn chosen(
         from: a.from.min(b.from),
         to: a.to.max(b.to),
     });
-    let limit = limit(request, objects, floors, measures);
+    let limit = limit(request, objects, motions);
     let found = all
         .map(|ends| (ends.from, ends.to.min(limit)))
         .filter(|(from, to)| from < to);
@@ -90,32 +89,17 @@ struct Ends {
 }
 
 /// The intensity up to which no motion is scaled by more than the largest scale.
-pub(super) fn limit(
-    request: &RunsRequest,
-    objects: &[ObjectRuns],
-    floors: &[Vec<FloorShaking>],
-    measures: &[(Measure, At)],
-) -> f64 {
-    let units = objects
-        .iter()
-        .flat_map(|one| units(one, floors, measures))
-        .flatten();
+pub(super) fn limit(request: &RunsRequest, objects: &[ObjectRuns], motions: Motions) -> f64 {
+    let units = objects.iter().flat_map(|one| units(one, motions)).flatten();
     // A motion at the largest scale must not be above it by rounding.
     request.max_scale_ratio * (1.0 - 1e-9) * units.fold(f64::INFINITY, f64::min)
 }
 
 /// The intensities of the motions of an object at a scale of 1.
-fn units<'a>(
-    one: &'a ObjectRuns,
-    floors: &'a [Vec<FloorShaking>],
-    measures: &'a [(Measure, At)],
-) -> impl Iterator<Item = Option<f64>> + 'a {
-    let of = |shaking: &FloorShaking| {
-        measures
-            .first()
-            .and_then(|(measure, at)| shaking.intensity(*measure, 0, *at, one.factors))
-    };
-    floors.get(one.floor).into_iter().flatten().map(of)
+fn units<'a>(one: &'a ObjectRuns, motions: Motions<'a>) -> impl Iterator<Item = Option<f64>> + 'a {
+    let first = motions.measures.first();
+    let of = move |shaking: &FloorShaking| shaking.intensity(*first?, one.factors);
+    motions.floors.get(one.floor).into_iter().flatten().map(of)
 }
 
 /// Intensities of stripes by the first measure, rising; empty for other runs.
@@ -152,22 +136,24 @@ pub(super) const ROUNDS: usize = 12;
 
 /// What was added to the intensities of stripes for a hazard.
 #[derive(Debug)]
-pub(super) struct Added {
-    pub(super) hazard: MeasuredHazard,
+pub struct Added {
+    /// That hazard.
+    pub hazard: MeasuredHazard,
     /// How many intensities.
-    pub(super) count: usize,
+    pub count: usize,
     /// Ids of objects of whose rates the runs still leave much open.
-    pub(super) open_ids: Vec<String>,
+    pub(crate) open_ids: Vec<String>,
 }
 
 /// The hazard for which intensities are added.
 pub(super) fn hazard(
     request: &RunsRequest,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
 ) -> Result<Option<MeasuredHazard>, Problems> {
-    let Some((source, &(measure, at))) = request.hazard.as_ref().zip(measures.first()) else {
+    let Some((source, first)) = request.hazard.as_ref().zip(measures.first()) else {
         return Ok(None);
     };
+    let Asked { measure, at, .. } = *first;
     if request.method != Method::Stripes {
         let method = name_of(METHODS, request.method);
         let message =
@@ -189,7 +175,7 @@ pub(super) fn hazard(
 pub(super) fn open(
     hazard: &Hazard,
     objects: &[ObjectRuns],
-    (floors, measures): (&[Vec<FloorShaking>], &[(Measure, At)]),
+    motions: Motions,
     levels: &[f64],
 ) -> Vec<Vec<OpenPart>> {
     let levels = Levels::new(levels);
@@ -199,7 +185,7 @@ pub(super) fn open(
             .motions
             .iter()
             .zip(&one.uplifts_ratio)
-            .zip(units(one, floors, measures))
+            .zip(units(one, motions))
             .enumerate();
         for (motion, ((followed, uplift), unit)) in each {
             let Some(unit) = unit else { continue };

@@ -5,7 +5,6 @@
 //! their outcomes in the form that the fit reads, `quality` how well each measure predicts the outcome,
 //! `report` the result.
 
-mod answer;
 mod changed;
 mod follow;
 mod kept;
@@ -33,25 +32,24 @@ use rayon::prelude::*;
 use super::hazard::MeasuredHazard;
 use super::measure::{At, Measure};
 use super::outcomes::OutcomeTable;
-use super::{FitMethod, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates, fitted};
+use super::{FitMethod, Fitting, FragilityRequest, ShockLimits, TWO_STAGE, check_replicates};
 use changed::changed_item;
 use follow::GoOn;
 use freestand_assess::store::Store;
-use freestand_assess::verdict::Nominal;
+use freestand_assess::verdict::{NoShockLimits, Nominal};
 use freestand_inventory::Item;
-use levels::Added;
-use report::LeftOut;
-use request::{DOUBTFUL_SCALE, MAX_MEASURES};
-use shaking::{FloorShaking, RatioFactors};
+use request::{DOUBTFUL_SCALE, GIVEN_ID, MAX_MEASURES};
+use shaking::{Asked, Motions, RatioFactors};
 
 pub use changed::{Change, ChangedObject};
 pub use follow::Followed;
-pub use report::RunsReport;
+pub use levels::Added;
+pub use report::{LeftOut, RunsDoubt, RunsReport};
 pub use request::{
-    DEFAULT_MAX_SCALE, GIVEN_ID, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects,
-    RunsRequest, StudyTold, measures, scales,
+    DEFAULT_MAX_SCALE, GivenObject, KeepRuns, Limits, METHODS, Method, RunObjects, RunsRequest,
+    measures, scales,
 };
-pub use shaking::{DEFAULT_WORLDS, FloorMotion};
+pub use shaking::{FloorMotion, FloorShaking};
 pub use table::file_name;
 
 /// One object and its runs.
@@ -67,13 +65,13 @@ pub struct ObjectRuns {
     /// For each motion its runs, by rising scale.
     pub motions: Vec<Vec<Followed>>,
     /// For each motion the scale below which it does not lift the object; `None`: not known.
-    pub uplifts_ratio: Vec<Option<f64>>,
+    pub(crate) uplifts_ratio: Vec<Option<f64>>,
     /// For each measure the intensities over which an adaptive analysis spreads its runs.
-    pub spans: Vec<Option<(f64, f64)>>,
+    pub(crate) spans: Vec<Option<(f64, f64)>>,
     /// Whether it has a tolerance.
-    pub has_tolerance: bool,
+    pub(crate) has_tolerance: bool,
     /// Whether its tolerance also limits the rotation.
-    pub limits_rotation: bool,
+    pub(crate) limits_rotation: bool,
 }
 
 /// Runs objects under motions at many scales and fits their fragilities, on the current thread pool;
@@ -97,16 +95,17 @@ pub fn fragility_of_runs(
     } = prepare(request, &measures, go_on)?;
     check_ground(request, &measures, &floors)?;
     check_shocks(request.fit, &objects)?;
+    let motions = Motions {
+        floors: &floors,
+        measures: &measures,
+    };
     let mut asked = request.clone();
     if request.method == Method::Stripes && request.scales.is_none() {
-        asked.scales = Some(levels::chosen(
-            request, &objects, &floors, &measures, &go_on,
-        )?);
+        asked.scales = Some(levels::chosen(request, &objects, motions, &go_on)?);
     }
     let store = kept::open(&asked, &measures, hazard.as_ref(), objects.len())?;
     let work = Work {
-        floors: &floors,
-        measures: &measures,
+        motions,
         store: store.as_ref(),
         progress,
     };
@@ -115,7 +114,7 @@ pub fn fragility_of_runs(
         .map(|hazard| work.add_levels(&mut asked, &mut objects, hazard))
         .transpose()?;
     fit(
-        &asked,
+        asked,
         measures,
         Prepared {
             objects,
@@ -129,8 +128,7 @@ pub fn fragility_of_runs(
 
 /// What all runs of a request have in common.
 struct Work<'a> {
-    floors: &'a [Vec<FloorShaking>],
-    measures: &'a [(Measure, At)],
+    motions: Motions<'a>,
     /// Where finished runs are kept.
     store: Option<&'a Store>,
     progress: Progress<'a>,
@@ -144,8 +142,7 @@ impl Work<'_> {
         objects: &mut [ObjectRuns],
         round: usize,
     ) -> Result<(), Problems> {
-        let go_on = || super::go_on(self.progress).map_err(Problems::from);
-        let motions: Vec<usize> = self.floors.iter().map(Vec::len).collect();
+        let motions: Vec<usize> = self.motions.floors.iter().map(Vec::len).collect();
         let of = |one: &ObjectRuns| motions.get(one.floor).copied().unwrap_or(0);
         let total = objects.iter().map(of).sum();
         let done = AtomicUsize::new(0);
@@ -170,16 +167,68 @@ impl Work<'_> {
                 count(objects.iter().map(of).sum())?;
                 continue;
             }
-            run_part(
-                request,
-                objects,
-                self.floors,
-                self.measures,
-                (&go_on, &|| count(1)),
-            )?;
+            self.run_part(request, objects, &|| count(1))?;
             if let Some(store) = self.store {
                 kept::write(store, &part, objects)?;
             }
+        }
+        Ok(())
+    }
+
+    /// Runs some objects under all motions of their floors.
+    fn run_part(
+        &self,
+        request: &RunsRequest,
+        objects: &mut [ObjectRuns],
+        count: GoOn,
+    ) -> Result<(), Problems> {
+        let Motions { floors, measures } = self.motions;
+        let go_on: GoOn = &|| super::go_on(self.progress).map_err(Problems::from);
+        // Every motion of every object is a task of its own.
+        let tasks: Vec<(usize, usize)> = objects
+            .iter()
+            .enumerate()
+            .flat_map(|(i, one)| {
+                (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion))
+            })
+            .collect();
+        let followed: Vec<Result<Followings, Problems>> = tasks
+            .par_iter()
+            .map(|&(i, motion)| {
+                let one = objects.get(i).ok_or_else(missing)?;
+                let shaking = floors
+                    .get(one.floor)
+                    .and_then(|floor| floor.get(motion))
+                    .ok_or_else(missing)?;
+                let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
+                let known = one.uplifts_ratio.get(motion).copied();
+                let uplift_ratio =
+                    known.unwrap_or_else(|| follow::uplift_ratio(request, one, shaking));
+                count()?;
+                Ok((runs, uplift_ratio))
+            })
+            .collect();
+        for ((i, _), runs) in tasks.iter().zip(followed) {
+            if let Some(one) = objects.get_mut(*i) {
+                let (runs, uplift_ratio) = runs?;
+                one.motions.push(runs);
+                // Those of added intensities are known.
+                if one.uplifts_ratio.len() < one.motions.len() {
+                    one.uplifts_ratio.push(uplift_ratio);
+                }
+            }
+        }
+        if request.method == Method::Incremental && request.scales.is_none() {
+            objects.par_iter_mut().try_for_each(|one| {
+                go_on()?;
+                follow::fill(
+                    request,
+                    one,
+                    floors.get(one.floor).map_or(&[], Vec::as_slice),
+                    measures,
+                    go_on,
+                )
+            })?;
         }
         Ok(())
     }
@@ -192,18 +241,13 @@ impl Work<'_> {
         objects: &mut [ObjectRuns],
         hazard: MeasuredHazard,
     ) -> Result<Added, Problems> {
-        let limit = levels::limit(request, objects, self.floors, self.measures);
+        let limit = levels::limit(request, objects, self.motions);
         let mut levels = request.scales.take().unwrap_or_default();
         let (mut added, mut round) = (0, 0);
         loop {
             round += 1;
             super::go_on(self.progress)?;
-            let open = levels::open(
-                &hazard.hazard,
-                objects,
-                (self.floors, self.measures),
-                &levels,
-            );
+            let open = levels::open(&hazard.hazard, objects, self.motions, &levels);
             let room = if round > levels::ROUNDS {
                 0
             } else {
@@ -246,70 +290,14 @@ impl Work<'_> {
 /// The runs of an object under one motion at several scales, and the scale at which it begins to lift.
 type Followings = (Vec<Followed>, Option<f64>);
 
-/// Runs some objects under all motions of their floors.
-fn run_part(
-    request: &RunsRequest,
-    objects: &mut [ObjectRuns],
-    floors: &[Vec<FloorShaking>],
-    measures: &[(Measure, At)],
-    (go_on, count): (GoOn, GoOn),
-) -> Result<(), Problems> {
-    // Every motion of every object is a task of its own.
-    let tasks: Vec<(usize, usize)> = objects
-        .iter()
-        .enumerate()
-        .flat_map(|(i, one)| {
-            (0..floors.get(one.floor).map_or(0, Vec::len)).map(move |motion| (i, motion))
-        })
-        .collect();
-    let followed: Vec<Result<Followings, Problems>> = tasks
-        .par_iter()
-        .map(|&(i, motion)| {
-            let one = objects.get(i).ok_or_else(missing)?;
-            let shaking = floors
-                .get(one.floor)
-                .and_then(|floor| floor.get(motion))
-                .ok_or_else(missing)?;
-            let runs = follow::first_runs(request, one, shaking, measures, go_on)?;
-            let known = one.uplifts_ratio.get(motion).copied();
-            let uplift_ratio = known.unwrap_or_else(|| follow::uplift_ratio(request, one, shaking));
-            count()?;
-            Ok((runs, uplift_ratio))
-        })
-        .collect();
-    for ((i, _), runs) in tasks.iter().zip(followed) {
-        if let Some(one) = objects.get_mut(*i) {
-            let (runs, uplift_ratio) = runs?;
-            one.motions.push(runs);
-            // Those of added intensities are known.
-            if one.uplifts_ratio.len() < one.motions.len() {
-                one.uplifts_ratio.push(uplift_ratio);
-            }
-        }
-    }
-    if request.method == Method::Incremental && request.scales.is_none() {
-        objects.par_iter_mut().try_for_each(|one| {
-            go_on()?;
-            follow::fill(
-                request,
-                one,
-                floors.get(one.floor).map_or(&[], Vec::as_slice),
-                measures,
-                go_on,
-            )
-        })?;
-    }
-    Ok(())
-}
-
 fn missing() -> Problems {
     Problem::new(ProblemKind::Computation, "a run has no object").into()
 }
 
 /// Fits the outcomes by each measure.
 fn fit(
-    request: &RunsRequest,
-    measures: Vec<(Measure, At)>,
+    request: RunsRequest,
+    measures: Vec<Asked>,
     Prepared {
         objects,
         floors,
@@ -319,54 +307,41 @@ fn fit(
     progress: Progress,
 ) -> Result<RunsReport, Problems> {
     let mut report = RunsReport {
+        request,
         reports: Vec::new(),
         outcomes: Vec::new(),
-        warnings: Vec::new(),
-        method: request.method,
-        max_scale_ratio: request.max_scale_ratio,
-        scales: request.scales.clone(),
-        rotation_ratio: request.rotation_ratio,
-        fit: request.fit,
+        added,
         objects,
         floors,
         left_out,
-        inputs: request
-            .inputs
-            .iter()
-            .chain(added.iter().filter_map(|one| one.hazard.file.as_ref()))
-            .cloned()
-            .collect(),
-        added,
-        seed: request.seed,
-        study: match &request.objects {
-            RunObjects::Listed { told, .. } => Some(told.clone()),
-            RunObjects::Given(_) => None,
-        },
     };
-    for (place, (measure, at)) in measures.iter().enumerate() {
+    for asked in measures {
+        let Asked { measure, place, at } = asked;
         super::go_on(progress)?;
-        let lines = table::lines(&report, (*measure, place, *at), progress)?;
-        let outcomes = table::outcomes(*measure, &lines, progress)?;
+        let lines = table::lines(&report, asked, progress)?;
+        let outcomes = table::outcomes(measure, &lines, progress)?;
         super::go_on(progress)?;
-        let name = file_name("outcomes", place, *measure);
+        let name = file_name("outcomes", place, measure);
         let file = InputFile::new(Path::new(&name), outcomes.as_ref());
         let runs = lines.iter().map(|line| line.run);
-        let table = OutcomeTable::of_runs(file, *measure, runs, progress)?;
+        let table = OutcomeTable::of_runs(file, measure, runs, progress)?;
+        let request = &report.request;
         let limits = shock_limits(request.fit, &report.objects, &table);
         let fits = FragilityRequest {
             outcomes: PathBuf::from(name),
-            at: Some(*at),
+            at: Some(at),
             fit: request.fit.kind(),
             shock: limits.iter().flatten().next().copied(),
             replicates: request.replicates,
             seed: request.seed,
         };
-        let mut found = fitted(
-            fits,
+        let fitting = Fitting {
+            request: fits,
             table,
-            (name_of(METHODS, request.method), &limits),
-            progress,
-        )?;
+            method: name_of(METHODS, request.method),
+            limits: &limits,
+        };
+        let mut found = fitting.fitted(progress)?;
         for object in &mut found.objects {
             let Some(runs) = report.objects.iter().find(|one| one.id == object.id) else {
                 continue;
@@ -379,28 +354,11 @@ fn fit(
                     .sum(),
             );
             object.scaled_above_4 = Some(runs.marked());
-            object.qualities = quality::qualities(
-                request.method,
-                object,
-                runs,
-                shakings,
-                (*measure, place, *at),
-            );
+            object.qualities =
+                quality::qualities(report.request.method, object, runs, shakings, asked);
         }
         report.reports.push(found);
         report.outcomes.push(outcomes);
-    }
-    report.warnings = report.all_warnings();
-    if let Some(Added { hazard, .. }) = &report.added {
-        let site_deg = request.site_deg.filter(|_| !request.site_is_exported);
-        report.warnings.extend(hazard.site_doubt(site_deg));
-        report.warnings.extend(hazard.warnings.iter().cloned());
-    }
-    if let RunObjects::Given(object) = &request.objects {
-        report.warnings.extend(Sizes::of(&object.block).doubts());
-        let body = object.body.iter();
-        let doubts = body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg));
-        report.warnings.extend(doubts);
     }
     Ok(report)
 }
@@ -440,7 +398,7 @@ fn shock_limits(
 }
 
 /// The measures with the place of each.
-fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
+fn measures_of(request: &RunsRequest) -> Result<Vec<Asked>, Problems> {
     let (ground, default) = match &request.objects {
         RunObjects::Given(object) if object.is_on_ground => (At::Ground, Measure::Pgv),
         RunObjects::Given(_) => (At::Floor, Measure::Pfv),
@@ -487,17 +445,19 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
     {
         first.at(request.at)?;
     }
-    let placed = |measure: Measure| -> Result<(Measure, At), Problem> {
+    let placed = |(place, measure): (usize, Measure)| -> Result<Asked, Problem> {
         // A place that was named holds for the measures that may be at either.
         let given = if measure.place().is_some() {
             None
         } else {
             Some(request.at.unwrap_or(ground))
         };
-        Ok((measure, measure.at(given)?))
+        let at = measure.at(given)?;
+        Ok(Asked { measure, place, at })
     };
     Ok(asked
         .into_iter()
+        .enumerate()
         .map(placed)
         .collect::<Result<_, Problem>>()?)
 }
@@ -505,16 +465,16 @@ fn measures_of(request: &RunsRequest) -> Result<Vec<(Measure, At)>, Problems> {
 /// Refuses measures of the ground where only floor motions are known.
 fn check_ground(
     request: &RunsRequest,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     floors: &[Vec<FloorShaking>],
 ) -> Result<(), Problem> {
     let has_ground = floors
         .iter()
         .flatten()
         .all(|shaking| shaking.at_ground.is_some());
-    let Some((measure, _)) = measures
+    let Some(Asked { measure, .. }) = measures
         .iter()
-        .find(|(_, at)| *at == At::Ground && !has_ground)
+        .find(|one| one.at == At::Ground && !has_ground)
     else {
         return Ok(());
     };
@@ -548,10 +508,10 @@ struct Prepared {
 
 fn prepare(
     request: &RunsRequest,
-    measures: &[(Measure, At)],
+    measures: &[Asked],
     go_on: impl Fn() -> Result<(), Problems> + Sync,
 ) -> Result<Prepared, Problems> {
-    let asked: Vec<Measure> = measures.iter().map(|(measure, _)| *measure).collect();
+    let asked: Vec<Measure> = measures.iter().map(|one| one.measure).collect();
     let runs = |id: &str, nominal: Nominal, floor: usize| -> Result<ObjectRuns, Problem> {
         // Its fit needs shocks that follow from the uplift.
         let nominal = if request.fit == FitMethod::TwoStage {
@@ -678,10 +638,10 @@ impl ObjectRuns {
     /// What a fit of its shocks needs.
     ///
     /// # Errors
-    /// Why the shocks cannot be fitted, in words.
-    fn shock_limits(&self) -> Result<ShockLimits, &'static str> {
+    /// Why the shocks cannot be fitted.
+    fn shock_limits(&self) -> Result<ShockLimits, NoShockLimits> {
         if self.limits_rotation {
-            return Err("its tolerance also limits the rotation");
+            return Err(NoShockLimits::LimitsRotation);
         }
         let (tolerance_g, ceiling_g) = self.nominal.shock_limits()?;
         Ok(ShockLimits {

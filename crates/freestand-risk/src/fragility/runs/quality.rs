@@ -4,11 +4,10 @@ use freestand::fragility::{
     LimitState, OutcomeClass, capacity_spread, mean_and_sd, trend_p_value, weighted_line,
 };
 
-use super::super::measure::{At, Measure};
 use super::super::quality::Quality;
 use super::super::{LEAST_ROTATION_RATIO, ObjectFragility};
 use super::follow::Followed;
-use super::shaking::{FloorShaking, Strength};
+use super::shaking::{Asked, FloorShaking, Strength};
 use super::table::weights;
 use super::{Method, ObjectRuns};
 
@@ -18,12 +17,12 @@ pub(super) fn qualities(
     object: &ObjectFragility,
     runs: &ObjectRuns,
     shakings: &[FloorShaking],
-    (measure, place, at): (Measure, usize, At),
+    asked: Asked,
 ) -> Vec<Quality> {
     let states = object.fit.curves.iter().map(|curve| curve.limit_state);
     states
         .map(|limit_state| {
-            let demands = demands(limit_state, runs, shakings, (measure, place, at));
+            let demands = demands(limit_state, runs, shakings, asked);
             let line = weighted_line(&demands.iter().map(|(_, point)| *point).collect::<Vec<_>>());
             let (efficiency, left) = match method {
                 Method::Cloud => {
@@ -36,10 +35,14 @@ pub(super) fn qualities(
                 }
                 Method::Incremental | Method::Stripes => (
                     capacity_spread(&object.outcomes, limit_state),
-                    capacities(limit_state, runs, shakings, (measure, place, at)),
+                    capacities(limit_state, runs, shakings, asked),
                 ),
             };
-            let about = |motion: usize| shakings.get(motion).and_then(|shaking| shaking.at(at));
+            let about = |motion: usize| {
+                shakings
+                    .get(motion)
+                    .and_then(|shaking| shaking.at(asked.at))
+            };
             let residuals: Vec<[f64; 3]> = left
                 .iter()
                 .filter_map(|(motion, e)| {
@@ -78,13 +81,13 @@ fn demands(
     state: LimitState,
     runs: &ObjectRuns,
     shakings: &[FloorShaking],
-    (measure, place, at): (Measure, usize, At),
+    asked: Asked,
 ) -> Vec<(usize, (f64, f64, f64))> {
     let units: Vec<Option<f64>> = shakings
         .iter()
-        .map(|shaking| shaking.intensity(measure, place, at, runs.factors))
+        .map(|shaking| shaking.intensity(asked, runs.factors))
         .collect();
-    let weights = weights(runs, place, &units);
+    let weights = weights(runs, asked.place, &units);
     let by_shock = state == LimitState::Exceeds && runs.nominal.compares_shock();
     let mut demands = Vec::new();
     for (motion, ((of_motion, unit), weights)) in
@@ -124,7 +127,7 @@ fn capacities(
     state: LimitState,
     runs: &ObjectRuns,
     shakings: &[FloorShaking],
-    (measure, place, at): (Measure, usize, At),
+    asked: Asked,
 ) -> Vec<(usize, f64)> {
     let known = runs
         .motions
@@ -134,7 +137,7 @@ fn capacities(
             let reached =
                 |run: &&Followed| run.run().is_some_and(|run| state.is_reached(run.class));
             let scale_ratio = runs_of_motion.iter().find(reached)?.scale_ratio;
-            Some((shaking.intensity(measure, place, at, runs.factors)? * scale_ratio).ln())
+            Some((shaking.intensity(asked, runs.factors)? * scale_ratio).ln())
         });
     let known: Option<Vec<f64>> = known.collect();
     let Some((known, (mean, _))) =

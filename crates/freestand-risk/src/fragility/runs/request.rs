@@ -162,11 +162,6 @@ pub struct Limits {
 }
 
 impl Limits {
-    /// Whether a landing is compared with any of them.
-    pub fn needs_shock(&self) -> bool {
-        self.peak_m_s2.is_some() || self.velocity_change_m_s.is_some()
-    }
-
     pub(super) fn tolerance(&self) -> Tolerance {
         let Self {
             peak_m_s2,
@@ -197,44 +192,15 @@ pub enum RunObjects {
         study: Arc<Study>,
         /// The list.
         inventory: Arc<Inventory>,
-        /// How many worlds; `None`: the records of the study once each, or [`DEFAULT_WORLDS`](super::DEFAULT_WORLDS).
+        /// How many worlds; `None`: the records of the study once each, or 40.
         worlds: Option<u32>,
         /// Objects of the list that are run as options change them, too.
         changed: Vec<ChangedObject>,
-        /// What is told of the study and the list.
-        told: Arc<StudyTold>,
     },
 }
 
-/// What is told of the study of runs, and of their list.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct StudyTold {
-    /// The sentence that says whose building this is, where no study was given.
-    pub no_study: Option<String>,
-    /// What nobody stated of the place and the building, and of the objects.
-    pub assumed: Vec<String>,
-    /// Whether nobody stated the place, or the hazard in another way.
-    pub place_is_assumed: bool,
-    /// Whether nobody stated the building.
-    pub building_is_assumed: bool,
-    /// The place whose hazard was used.
-    pub place_name: Option<String>,
-    /// What the study calls the building.
-    pub building_name: Option<String>,
-    /// The hazard in words.
-    pub hazard: Option<String>,
-    /// The building in words.
-    pub building: String,
-    /// Place and building in words.
-    pub place: String,
-    /// The study as TOML.
-    pub toml: String,
-    /// The problems of the list, and other warnings.
-    pub warnings: Vec<String>,
-}
-
 /// The id of an object that is given by its numbers.
-pub const GIVEN_ID: &str = "object";
+pub(crate) const GIVEN_ID: &str = "object";
 
 /// Where the finished runs of an inventory are kept until the results are written.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -272,7 +238,7 @@ pub struct RunsRequest {
     pub rotation_ratio: Option<f64>,
     /// How limit states are fitted.
     pub fit: FitMethod,
-    /// Bootstrap samples; `None`: [`DEFAULT_REPLICATES`](crate::fragility::DEFAULT_REPLICATES).
+    /// Bootstrap samples; `None`: 1000, 0: none.
     pub replicates: Option<u32>,
     /// Seed of the bootstrap.
     pub seed: u64,

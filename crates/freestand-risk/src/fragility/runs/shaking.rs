@@ -9,6 +9,7 @@ use freestand::motion::Motion;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
+use freestand_output::answer_of;
 use freestand_study::study::{Ground, Study};
 use rayon::prelude::*;
 
@@ -16,10 +17,27 @@ use super::super::measure::{At, Measure};
 use freestand_assess::worlds::{Again, FloorOfWorld, Worlds};
 
 /// Worlds of a study whose ground motions are generated, if the user gives no number.
-pub const DEFAULT_WORLDS: u32 = 40;
+pub(crate) const DEFAULT_WORLDS: u32 = 40;
 
 /// Number of periods of an average spectral acceleration.
 const AVERAGED: usize = 10;
+
+/// A measure that is asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Asked {
+    pub(super) measure: Measure,
+    /// Its place among those that are asked.
+    pub(super) place: usize,
+    /// Where it is taken.
+    pub(super) at: At,
+}
+
+/// The motions of all floors, and the measures of their intensities.
+#[derive(Clone, Copy)]
+pub(super) struct Motions<'a> {
+    pub(super) floors: &'a [Vec<FloorShaking>],
+    pub(super) measures: &'a [Asked],
+}
 
 /// A motion of a floor.
 #[derive(Debug, Clone, PartialEq)]
@@ -107,7 +125,7 @@ impl RatioFactors {
 
 /// A motion of a floor with the motion of the ground under it.
 #[derive(Debug, Clone)]
-pub(super) struct FloorShaking {
+pub struct FloorShaking {
     pub(super) name: String,
     /// Its place among the motions of the floor.
     pub(super) number: u32,
@@ -131,21 +149,15 @@ impl FloorShaking {
         1.0 / (factors.acceleration_per_m_s2 * self.at_floor.peak_m_s2)
     }
 
-    /// The intensity at a scale of 1, in the unit of outputs; `place` is that of the measure among
-    /// those asked. `None` where the ground motion is not known.
-    pub(super) fn intensity(
-        &self,
-        measure: Measure,
-        place: usize,
-        at: At,
-        factors: RatioFactors,
-    ) -> Option<f64> {
-        let strength = self.at(at)?;
-        match measure {
+    /// The intensity at a scale of 1, in the unit of outputs. `None` where the ground motion is not
+    /// known.
+    pub(super) fn intensity(&self, asked: Asked, factors: RatioFactors) -> Option<f64> {
+        let strength = self.at(asked.at)?;
+        match asked.measure {
             Measure::Pga | Measure::Pfa => Some(strength.peak_m_s2 / G0_M_S2),
             Measure::Pgv | Measure::Pfv => Some(strength.peak_m_s),
             Measure::Sa { .. } | Measure::SaAverage { .. } => {
-                strength.spectral_g.get(place).copied().flatten()
+                strength.spectral_g.get(asked.place).copied().flatten()
             }
             Measure::VelocityRatio => Some(factors.velocity_per_m_s * strength.peak_m_s),
             Measure::AccelerationRatio => Some(factors.acceleration_per_m_s2 * strength.peak_m_s2),
@@ -160,6 +172,13 @@ impl FloorShaking {
         }
     }
 }
+
+answer_of!(FloorShaking as motion {
+    name: String = motion.name.clone();
+    /// PGV over PGA of the floor.
+    floor_velocity_over_acceleration_s: f64 = motion.at_floor.velocity_over_acceleration_s();
+    floor_mean_period_s: Option<f64> = motion.at_floor.mean_period_s;
+});
 
 /// Motions of one floor that the user gave; `is_ground`: the object is on the ground.
 pub(super) fn given(

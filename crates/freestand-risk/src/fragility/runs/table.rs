@@ -3,19 +3,20 @@
 use freestand::fragility::{OutcomeClass, level_weights};
 use freestand_input::formula::guarded;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_input::words::{name_of, shortest};
+use freestand_input::words::shortest;
 use freestand_output::rows::{csv_writer, table_of_csv};
 use freestand_output::table::Table;
 use freestand_study::run::Progress;
 
 use super::super::curves::CAUTION;
 use super::super::go_on;
-use super::super::measure::{At, Measure};
+use super::super::measure::Measure;
 use super::super::outcomes::{RunRow, UNRESOLVED, UPLIFT};
 use super::follow::Followed;
 use super::levels::Levels;
+use super::shaking::Asked;
 use super::{Method, ObjectRuns, RunsReport};
-use freestand_inventory::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TooMild;
 
 /// The name of a table by the measure at a place of the request: `outcomes.csv` by the first,
 /// `outcomes_sa_0.5.csv` by another one.
@@ -53,21 +54,22 @@ pub(super) struct Line<'a> {
 /// The runs of all objects by one measure.
 pub(super) fn lines<'a>(
     report: &'a RunsReport,
-    (measure, place, at): (Measure, usize, At),
+    asked: Asked,
     progress: Progress,
 ) -> Result<Vec<Line<'a>>, Problem> {
-    let is_weighted = report.method == Method::Incremental && report.scales.is_none();
-    let is_of_stripes = report.method == Method::Stripes && place == 0;
-    let scales = report.scales.as_deref().filter(|_| is_of_stripes);
+    let is_weighted =
+        report.request.method == Method::Incremental && report.request.scales.is_none();
+    let is_of_stripes = report.request.method == Method::Stripes && asked.place == 0;
+    let scales = report.request.scales.as_deref().filter(|_| is_of_stripes);
     let levels = Levels::new(scales.unwrap_or_default());
     let mut lines = Vec::new();
     for one in &report.objects {
         let shakings = report.floors.get(one.floor).map_or(&[][..], Vec::as_slice);
         let units: Vec<Option<f64>> = shakings
             .iter()
-            .map(|shaking| shaking.intensity(measure, place, at, one.factors))
+            .map(|shaking| shaking.intensity(asked, one.factors))
             .collect();
-        let weights = weights(one, place, &units);
+        let weights = weights(one, asked.place, &units);
         let runs = one.motions.iter().flatten();
         let known = runs.filter(|run| run.found.is_ok()).count() as f64;
         let all: f64 = weights.iter().flatten().sum();
@@ -158,9 +160,7 @@ pub(super) fn outcomes(
             text(run.rotation_ratio),
             text(run.uplift),
             guarded(run.reason).into_owned(),
-            run.caution
-                .map_or("", |why| name_of(TOO_MILD, why))
-                .to_owned(),
+            run.caution.map_or("", TooMild::name).to_owned(),
         ];
         writer
             .write_record(&record)

@@ -4,22 +4,25 @@ use freestand::fragility::{
     Bootstrap, Curve, Goodness, LimitState, OutcomeClass, TwoStage, capacity_spread,
 };
 use freestand::risk::Capacity;
-use freestand_input::words::name_of;
 use freestand_output::answer::Input;
 use freestand_output::answer_of;
 
-use super::quality::Quality;
-use super::{FragilityReport, ObjectFragility, why_no_interval};
-use freestand_inventory::too_mild::TOO_MILD;
+use freestand_inventory::too_mild::TooMild;
+use freestand_risk::fragility::{FragilityReport, ObjectFragility, Quality, Sufficiency};
 
-answer_of!(FragilityReport as report {
-    version: &'static str = env!("CARGO_PKG_VERSION");
-    /// Seed of the bootstrap.
-    seed: u64 = report.request.seed;
-    /// The files that were read.
-    inputs: Vec<Input> = vec![Input::from(&report.table.file)];
-    objects: Vec<OfObject<'_>> = OfObject::all(report);
-});
+use super::doubts::why_no_interval;
+
+answer_of!(
+    /// Fragilities as a JSON document tells them.
+    pub struct FragilityAnswer<'r>(pub &'r FragilityReport) as report.0 {
+        version: &'static str = env!("CARGO_PKG_VERSION");
+        /// Seed of the bootstrap.
+        seed: u64 = report.0.request.seed;
+        /// The files that were read.
+        inputs: Vec<Input> = vec![Input::from(&report.0.table.file)];
+        objects: Vec<OfObject<'_>> = OfObject::all(report.0);
+    }
+);
 
 /// An object in its report.
 #[derive(Clone, Copy)]
@@ -79,7 +82,7 @@ answer_of!(OfObject<'_> as of {
     counts: Counts<'_> = Counts(*of);
     curves: Vec<OfCurve<'_>> = of.object.fit.curves.iter().map(|curve| OfCurve { object: of.object, curve }).collect();
     /// Why the object may fail more often than its curves say.
-    caution: Option<&'static str> = of.object.caution.map(|why| name_of(TOO_MILD, why));
+    caution: Option<&'static str> = of.object.caution.map(TooMild::name);
     exceeds_by_shock: Option<ByShock> = of.object.two_stage.map(ByShock);
     crossing_im: Option<f64> = of.crossing();
     log_likelihood: Option<f64> = (!of.object.fit.fitted_states().is_empty()).then_some(of.object.fit.log_likelihood);
@@ -184,24 +187,4 @@ answer_of!(Sampled<'_> as sampled {
     replicates: usize = sampled.0.samples.len();
     /// Samples without a curve.
     failed: usize = sampled.0.failed;
-});
-
-answer_of!(Quality as quality {
-    limit_state: &'static str = quality.limit_state.name();
-    efficiency: Option<f64> = quality.efficiency;
-    practicality: Option<f64> = quality.practicality;
-    proficiency: Option<f64> = quality.proficiency();
-    sufficiency: Sufficiency<'_> = Sufficiency(quality);
-});
-
-/// p-values; what motions from files do not tell has none.
-#[derive(Clone, Copy)]
-struct Sufficiency<'r>(&'r Quality);
-
-answer_of!(Sufficiency<'_> as p {
-    magnitude: Option<f64> = None;
-    distance: Option<f64> = None;
-    epsilon: Option<f64> = None;
-    mean_period: Option<f64> = p.0.p_mean_period;
-    pgv_over_pga: Option<f64> = p.0.p_velocity_over_acceleration;
 });
