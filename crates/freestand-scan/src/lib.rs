@@ -1,0 +1,1 @@
+//! Objects as scanners see them: meshes, their mass properties and their hulls.
