@@ -1,7 +1,9 @@
 //! The formats of meshes, recognised by their content.
 
 use std::io::{BufReader, Cursor};
+use std::path::Path;
 
+use freestand_input::file::{InputFile, load};
 use freestand_input::problem::Problem;
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
@@ -14,7 +16,42 @@ const STL_TRIANGLE: usize = 50;
 
 const HINT: &str = "give a scan as OBJ, STL, PLY or binary glTF (.glb)";
 
-pub(crate) fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
+/// Reads a mesh from an OBJ, STL, PLY or binary glTF file.
+///
+/// # Errors
+/// A file that cannot be read, or that is none of these; one without triangles, or with numbers that are
+/// none.
+pub fn read_mesh(path: &Path) -> Result<(InputFile, Mesh), Problem> {
+    let bytes = load(path)?;
+    let mesh = parse_mesh(&bytes).map_err(|problem| problem.in_file(path))?;
+    Ok((InputFile::new(path, &bytes), mesh))
+}
+
+/// Reads a mesh from the content of such a file.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let mesh = parse(bytes)?;
+    if !mesh.vertices.iter().flatten().all(|x| x.is_finite()) {
+        let hint = "export the scan again";
+        return Err(Problem::format(
+            "a vertex of the mesh is not a number",
+            hint,
+        ));
+    }
+    if mesh.faces.len() < 4 {
+        let message = format!(
+            "the mesh has {} triangles, which enclose nothing",
+            mesh.faces.len()
+        );
+        let hint = "export the surface of the scan as triangles, not as points";
+        return Err(Problem::format(message, hint));
+    }
+    Ok(mesh)
+}
+
+fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
     if bytes.starts_with(b"glTF") || is_json(bytes) {
         gltf(bytes)
     } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {

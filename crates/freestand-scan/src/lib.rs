@@ -2,9 +2,10 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`mesh`] | a mesh of triangles from OBJ, STL, PLY or glTF |
+//! | [`mesh`] | a mesh of triangles |
+//! | [`formats`] | meshes from OBJ, STL, PLY and glTF files |
 //! | [`body`] | what a mesh weighs, its centre of gravity, its moments of inertia and its hull |
 
 pub mod body;
-mod formats;
+pub mod formats;
 pub mod mesh;

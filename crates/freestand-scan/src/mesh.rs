@@ -1,12 +1,6 @@
 //! A mesh of triangles, as a file has it.
 
 use std::collections::HashMap;
-use std::path::Path;
-
-use freestand_input::file::{InputFile, load};
-use freestand_input::problem::Problem;
-
-use crate::formats;
 
 /// Triangles with outward normals by the order of their vertices, z upward, in the unit of the file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -66,39 +60,4 @@ impl Mesh {
         }
         extent
     }
-}
-
-/// Reads a mesh from an OBJ, STL, PLY or binary glTF file.
-///
-/// # Errors
-/// A file that cannot be read, or that is none of these; one without triangles, or with numbers that are
-/// none.
-pub fn read_mesh(path: &Path) -> Result<(InputFile, Mesh), Problem> {
-    let bytes = load(path)?;
-    let mesh = parse_mesh(&bytes).map_err(|problem| problem.in_file(path))?;
-    Ok((InputFile::new(path, &bytes), mesh))
-}
-
-/// Reads a mesh from the content of such a file.
-///
-/// # Errors
-/// As [`read_mesh`].
-pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
-    let mesh = formats::parse(bytes)?;
-    if !mesh.vertices.iter().flatten().all(|x| x.is_finite()) {
-        let hint = "export the scan again";
-        return Err(Problem::format(
-            "a vertex of the mesh is not a number",
-            hint,
-        ));
-    }
-    if mesh.faces.len() < 4 {
-        let message = format!(
-            "the mesh has {} triangles, which enclose nothing",
-            mesh.faces.len()
-        );
-        let hint = "export the surface of the scan as triangles, not as points";
-        return Err(Problem::format(message, hint));
-    }
-    Ok(mesh)
 }

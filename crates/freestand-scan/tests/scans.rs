@@ -5,7 +5,8 @@
 use std::fmt::Write as _;
 
 use freestand_scan::body::{Leaking, scanned_body};
-use freestand_scan::mesh::{Mesh, parse_mesh};
+use freestand_scan::formats::parse_mesh;
+use freestand_scan::mesh::Mesh;
 
 /// A box of 0.4 m × 0.6 m × 1 m that stands on z = 0, in millimetres.
 const SIZES_MM: [f64; 3] = [400.0, 600.0, 1000.0];

@@ -13,7 +13,7 @@ use freestand::spatial::SpatialMotion;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use freestand_scan::body::{Leaking, ScannedBody, scanned_body};
-use freestand_scan::mesh::read_mesh;
+use freestand_scan::formats::read_mesh;
 use rand::RngExt;
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -120,14 +120,14 @@ impl Rock {
     pub(crate) fn words(&self) -> String {
         let pose = self.standing.pose();
         format!(
-            "{} kg, {} m³, centre of gravity at {} m, tips at {}°, barrier {} mm: {}° towards {}°, {} points",
+            "{} kg, {} m³, centre of gravity at {} m, tips at {}° towards {}°, barrier {} mm: {}°, {} points",
             number(self.scanned.body.mass_kg, 4),
             number(self.scanned.volume_m3, 4),
             number(pose.cg_height_m, 4),
-            number(pose.tip_rad.to_degrees(), 3),
+            number(self.barrier.tilt_rad.to_degrees(), 3),
+            number(self.barrier.toward_rad.to_degrees(), 3),
             number(1e3 * self.barrier.rise_m, 3),
             number(self.barrier.angle_rad().to_degrees(), 3),
-            number(self.barrier.toward_rad.to_degrees(), 3),
             self.standing.points_m().len()
         )
     }

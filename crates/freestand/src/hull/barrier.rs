@@ -32,7 +32,8 @@ pub struct Barrier {
     pub rest_m: f64,
     /// How much higher the pass is \[m\].
     pub rise_m: f64,
-    /// Tilt of the pass from the pose \[rad\].
+    /// Tilt of the pass from the pose: from there on the body falls by itself. About an edge it is the angle of
+    /// the edge \[rad\].
     pub tilt_rad: f64,
     /// Its direction: 0 to +x, π/2 to +y \[rad\].
     pub toward_rad: f64,

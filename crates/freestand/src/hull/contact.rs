@@ -89,11 +89,6 @@ impl Around {
         }
     }
 
-    /// A point in the axes of the floor of the pose.
-    pub(super) fn aside(&self, point: &Vector) -> [f64; 2] {
-        [dot(point, &self.x), dot(point, &self.y)]
-    }
-
     /// What is down after a tilt from the pose.
     pub(super) fn down(&self, tilt_rad: f64, toward_rad: f64) -> Vector {
         let (sin, cos) = tilt_rad.sin_cos();

@@ -4,7 +4,7 @@
 //! curved rolls where a flat polygon strikes and loses energy, and the hill that its centre of gravity
 //! must climb is lower.
 //!
-//! * [`poses`]: the poses in which a body can stand, and how far it tips about each side;
+//! * [`poses`]: the poses in which a body can stand;
 //! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
 //! * [`contact`]: the few points of its hull with which it touches the floor;
 //! * [`shake`]: the body under a motion of the floor.

@@ -11,6 +11,8 @@
 //! change of the direction by 0.01° changes the outcome of 1 to 5 of 100 motions. Shares over many
 //! histories are what can be compared.
 
+use pulp::Arch;
+
 use super::poses::StablePose;
 use super::{HullBody, Vector};
 use crate::rocking::LONGEST_TAIL_S;
@@ -41,6 +43,12 @@ impl Default for Contact {
 
 /// Tilt from the pose above which a body has overturned \[rad\].
 pub const OVERTURNED_RAD: f64 = std::f64::consts::PI / 3.0;
+
+/// Points whose heights are calculated at once.
+const LANES: usize = 8;
+
+/// Far above a body \[m\].
+const FAR_M: f64 = 1e9;
 
 /// The longest step \[s\].
 const STEP_S: f64 = 1e-4;
@@ -179,9 +187,12 @@ fn inverse(m: &[Vector; 3]) -> [Vector; 3] {
 /// The body between two steps.
 struct Stepper<'b> {
     body: &'b Standing,
-    /// Its points by coordinate, and their heights.
-    coordinates: [Vec<f64>; 3],
-    heights_m: Vec<f64>,
+    /// Its points by coordinate, [`LANES`] at once, and their heights.
+    coordinates: Vec<[[f64; LANES]; 3]>,
+    heights_m: Vec<[f64; LANES]>,
+    /// The points that touched the floor at the last step, and those that do now.
+    touching: Vec<usize>,
+    touched: Vec<usize>,
     /// The stretch of the spring along the floor at each point \[m\].
     stretches_m: Vec<[f64; 2]>,
     inverse: [Vector; 3],
@@ -208,10 +219,18 @@ impl<'b> Stepper<'b> {
             ratio * contact.damping_ratio * (stiffness_n_m * body.mass_kg / 3.0).sqrt()
         };
         let turn = upright(&body.pose().down, yaw_rad);
-        let coordinate = |axis: usize| body.points_m.iter().map(|point| point[axis]).collect();
+        // What is missing in the last lanes is far above the body.
+        let above = body.pose().down.map(|x| -FAR_M * x);
+        let lanes = body.points_m.chunks(LANES).map(|points| {
+            let at = |lane: usize| points.get(lane).unwrap_or(&above);
+            [0, 1, 2].map(|axis| std::array::from_fn(|lane| at(lane)[axis]))
+        });
+        let coordinates: Vec<[[f64; LANES]; 3]> = lanes.collect();
         Self {
-            coordinates: [0, 1, 2].map(coordinate),
-            heights_m: vec![0.0; body.points_m.len()],
+            heights_m: vec![[0.0; LANES]; coordinates.len()],
+            coordinates,
+            touching: Vec::new(),
+            touched: Vec::new(),
             stretches_m: vec![[0.0; 2]; body.points_m.len()],
             inverse: inverse(&body.inertia_kg_m2),
             normal_n_m,
@@ -230,16 +249,14 @@ impl<'b> Stepper<'b> {
     }
 
     /// One step under these accelerations of the floor \[m/s²\].
+    #[inline(always)]
     fn step(&mut self, floor_m_s2: &Vector, step_s: f64) {
         let omega = turned(&self.shift, &self.omega_rad_s);
         self.raise();
         let (mut force, mut torque) = ([0.0; 3], [0.0; 3]);
-        for point in 0..self.heights_m.len() {
-            let height_m = self.heights_m[point];
-            if height_m >= 0.0 {
-                self.stretches_m[point] = [0.0; 2];
-                continue;
-            }
+        for at in 0..self.touching.len() {
+            let point = self.touching[at];
+            let height_m = self.heights_m[point / LANES][point % LANES];
             let arm = turned(&self.shift, &self.body.points_m[point]);
             let by_turn = cross(&omega, &arm);
             let v = [0, 1, 2].map(|i| self.velocity_m_s[i] + by_turn[i]);
@@ -277,18 +294,36 @@ impl<'b> Stepper<'b> {
         self.shift = shift(&self.turn);
     }
 
-    /// The heights of all points: nearly all of the work.
+    /// The heights of all points, which is nearly all of the work, and those that touch the floor.
+    #[inline(always)]
     fn raise(&mut self) {
-        let [x, y, z] = &self.coordinates;
+        std::mem::swap(&mut self.touching, &mut self.touched);
+        self.touching.clear();
         let [to_x, to_y, to_z] = self.shift[2];
         let up_m = self.place_m[2];
-        let points = x.iter().zip(y).zip(z);
-        for (height_m, ((x, y), z)) in self.heights_m.iter_mut().zip(points) {
-            *height_m = up_m + to_x * x + to_y * y + (1.0 + to_z) * z;
+        for (group, [x, y, z]) in self.coordinates.iter().enumerate() {
+            let heights_m = &mut self.heights_m[group];
+            let mut is_below = false;
+            for lane in 0..LANES {
+                let height_m = up_m + to_x * x[lane] + to_y * y[lane] + (1.0 + to_z) * z[lane];
+                heights_m[lane] = height_m;
+                is_below |= height_m < 0.0;
+            }
+            if is_below {
+                let below = (0..LANES).filter(|lane| heights_m[*lane] < 0.0);
+                self.touching.extend(below.map(|lane| LANES * group + lane));
+            }
+        }
+        // Who has left the floor begins anew.
+        for point in &self.touched {
+            if self.heights_m[point / LANES][point % LANES] >= 0.0 {
+                self.stretches_m[*point] = [0.0; 2];
+            }
         }
     }
 
     /// The force along the floor at a point that moves with this velocity \[N\].
+    #[inline(always)]
     fn tangential(&mut self, point: usize, v: [f64; 2], normal_n: f64, step_s: f64) -> [f64; 2] {
         let stretch_m = &mut self.stretches_m[point];
         let mut along = [0.0; 2];
@@ -309,7 +344,8 @@ impl<'b> Stepper<'b> {
 
     /// What is down in the axes of the body.
     fn down(&self) -> Vector {
-        turned_back(&self.shift, &[0.0, 0.0, -1.0])
+        let [x, y, z] = self.shift[2];
+        [-x, -y, -1.0 - z]
     }
 
     /// The speed of its centre of gravity and that of a point at its height together \[m/s\].
@@ -342,6 +378,18 @@ fn steps(duration_s: f64) -> usize {
 /// A body under a motion of the floor, turned by `yaw_rad` about the vertical, until it rests or lies; at
 /// most [`LONGEST_TAIL_S`] after the last sample.
 pub fn shake(
+    body: &Standing,
+    contact: &Contact,
+    yaw_rad: f64,
+    motion: &SpatialMotion,
+    gravity_m_s2: f64,
+) -> HullRocking {
+    // The same operations in the same order, in the vectors that the processor has.
+    Arch::new().dispatch(|| follow(body, contact, yaw_rad, motion, gravity_m_s2))
+}
+
+#[inline(always)]
+fn follow(
     body: &Standing,
     contact: &Contact,
     yaw_rad: f64,
