@@ -280,8 +280,8 @@ impl<'b> Stepper<'b> {
         let gyroscopic = cross(&self.omega_rad_s, &momentum);
         let net = [0, 1, 2].map(|i| torque[i] - gyroscopic[i]);
         let rate = times(&self.inverse, &net);
-        for i in 0..3 {
-            self.omega_rad_s[i] += step_s * rate[i];
+        for (omega, rate) in self.omega_rad_s.iter_mut().zip(rate) {
+            *omega += step_s * rate;
         }
         let rate = turning(&self.turn, &self.omega_rad_s);
         let [w, x, y, z] = self.turn;
