@@ -16,6 +16,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("freestand-input", &[]),
     ("freestand-output", &["freestand-input"]),
     ("freestand-records", &["freestand", "freestand-input"]),
+    ("freestand-scan", &["freestand", "freestand-input"]),
     (
         "freestand-study",
         &[

@@ -7,7 +7,8 @@
 //! result is committed. `cargo xtask generate`: the schemas in docs/schema and the table of bad requests, from the
 //! structs of the requests. `cargo xtask wheel [--out DIR]`: the Python package with the program
 //! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
-//! profile. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
+//! profile. `cargo xtask shake-table [--data DIR]`: two rocks on a shake table, measured and calculated; the tests are not
+//! in the repository. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
 //! commit.
 
 #![expect(
@@ -31,7 +32,7 @@ use std::process::ExitCode;
 use checks::Check;
 
 const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | python [--all] | \
-                     validate-shock | risk-tools | same COMMIT [WORDS]";
+                     validate-shock | risk-tools | shake-table [--data DIR] | same COMMIT [WORDS]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -66,6 +67,8 @@ fn main() -> ExitCode {
         ("generate", []) => checks::generate(&root),
         ("validate-shock", []) => validate_shock::fetch_and_compare(&root).map(|()| true),
         ("risk-tools", []) => risk_tools::fetch_and_compare(&root).map(|()| true),
+        ("shake-table", []) => shake_table(&root, &root.join(SHAKE_TABLE)),
+        ("shake-table", [flag, data]) if flag == "--data" => shake_table(&root, Path::new(data)),
         ("same", [commit]) => same::compare(&root, commit, ""),
         ("same", [commit, filter]) => same::compare(&root, commit, filter),
         ("wheel", []) => wheel(&root, &root.join("target/wheels")),
@@ -84,6 +87,38 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Where the tests of rocks on a shake table are, beside the workspace.
+const SHAKE_TABLE: &str = "../shared/shake-table";
+
+/// Compares the models with the tests, and writes their scores and the figure of docs/validation.md.
+fn shake_table(root: &Path, data: &Path) -> Result<bool, String> {
+    let data = std::path::absolute(data).map_err(|error| format!("{}: {error}", data.display()))?;
+    if !data.join("tests.csv").is_file() {
+        println!(
+            "skipped: the tests of rocks on a shake table are not in {}",
+            data.display()
+        );
+        return Ok(true);
+    }
+    let run = [
+        "run",
+        "--release",
+        "--quiet",
+        "--locked",
+        "--package",
+        "freestand-shake-table",
+        "--",
+    ];
+    let status = std::process::Command::new("cargo")
+        .args(run)
+        .arg(&data)
+        .arg(root.join("validation/shake-table"))
+        .current_dir(root)
+        .status()
+        .map_err(|error| format!("cargo: {error}"))?;
+    Ok(status.success())
 }
 
 /// Builds the wheel that is published, and says where it is.

@@ -1,7 +1,7 @@
 //! The elements: points that are pressed against a face, and how each of them holds on.
 
-use super::vector::Vector;
 use crate::compliant::pad::Pad;
+use crate::space::Vector;
 
 /// A body, or the base (`None`).
 pub(super) type Owner = Option<usize>;

@@ -3,10 +3,10 @@
 use super::element::{Element, Grip};
 use super::feet::{self, Feet, Stuck};
 use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY, vector};
-use super::vector::{
+use crate::compliant::Energies;
+use crate::space::{
     Vector, cross, difference, dot, moved, moved_back, sum, turned, turned_back, turning,
 };
-use crate::compliant::Energies;
 
 /// The largest number of bodies, and of elements that may slip.
 pub(super) const MAX_BODIES: usize = 2;

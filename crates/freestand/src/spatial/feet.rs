@@ -3,8 +3,8 @@
 
 use super::element::{Element, Grip};
 use super::pose::Pose;
-use super::vector::{Vector, difference, sum, turned};
 use crate::compliant::pad::Pad;
+use crate::space::{Vector, difference, sum, turned};
 
 /// The feet of the only body: the first elements of a world.
 #[derive(Debug, Clone)]

@@ -40,7 +40,6 @@ mod seen;
 mod solve;
 mod stack;
 mod track;
-mod vector;
 
 #[cfg(test)]
 mod tests;
@@ -483,7 +482,7 @@ pub fn rock_spatial_observed(
             toward_rad,
             omega_rad_s,
         } => (
-            world.released(vector::tilted(tilt_rad, toward_rad), omega_rad_s),
+            world.released(crate::space::tilted(tilt_rad, toward_rad), omega_rad_s),
             false,
         ),
     };
@@ -708,11 +707,11 @@ impl World<'_> {
 
     /// One body with this rotation and angular velocity (floor axes); its weight is on the lowest
     /// points, and the lowest of all is at rest, in its place.
-    fn released(&self, turn: vector::Turn, omega: [f64; 3]) -> State {
+    fn released(&self, turn: crate::space::Turn, omega: [f64; 3]) -> State {
         let mut y = self.upright();
         y[TURN..SPIN].copy_from_slice(&turn);
-        let shift = vector::shift(&turn);
-        y[SPIN..SPIN + 3].copy_from_slice(&vector::turned_back(&shift, &omega));
+        let shift = crate::space::shift(&turn);
+        y[SPIN..SPIN + 3].copy_from_slice(&crate::space::turned_back(&shift, &omega));
         let base = || {
             self.elements
                 .iter()
@@ -741,10 +740,10 @@ impl World<'_> {
         let d = bisect(0.0, most_m, |d| force(d) >= weight_n);
         y[PLACE + 2] = top - d;
         // The lowest point is where it is when the body is upright.
-        let aside = vector::moved(&shift, &lowest.point);
+        let aside = crate::space::moved(&shift, &lowest.point);
         (y[PLACE], y[PLACE + 1]) = (-aside[0], -aside[1]);
-        let arm = vector::turned(&shift, &lowest.point);
-        let velocity = vector::cross(&arm, &omega);
+        let arm = crate::space::turned(&shift, &lowest.point);
+        let velocity = crate::space::cross(&arm, &omega);
         y[VELOCITY..VELOCITY + 3].copy_from_slice(&velocity);
         y
     }

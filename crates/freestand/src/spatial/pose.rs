@@ -1,6 +1,6 @@
 //! The position and velocity of a body, and where the state has them.
 
-use super::vector::{Shift, Turn, UPRIGHT, Vector, cross, moved, shift, sum, turned};
+use crate::space::{Shift, Turn, UPRIGHT, Vector, cross, moved, shift, sum, turned};
 
 // Indices into the state of one body: displacement of the centre of gravity relative to the base
 // and to its position upright above unloaded cushions, velocity, rotation, angular velocity in body

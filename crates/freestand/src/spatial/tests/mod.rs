@@ -379,7 +379,7 @@ fn feet_together_are_feet_one_by_one() {
             feet: None,
             ..together.clone()
         };
-        let y = together.released(vector::tilted(0.05, 0.7), [0.2, -0.1, 0.4]);
+        let y = together.released(crate::space::tilted(0.05, 0.7), [0.2, -0.1, 0.4]);
         let line = Line {
             start: [1.0, -2.0, 0.5],
             slope: [3.0, 1.0, -2.0],

@@ -1,14 +1,14 @@
 //! Vectors, and rotations by unit quaternions (w, x, y, z).
 
-pub(super) type Vector = [f64; 3];
+pub(crate) type Vector = [f64; 3];
 
 /// (w, x, y, z), from body axes to those of the floor.
-pub(super) type Turn = [f64; 4];
+pub(crate) type Turn = [f64; 4];
 
 /// No rotation.
-pub(super) const UPRIGHT: Turn = [1.0, 0.0, 0.0, 0.0];
+pub(crate) const UPRIGHT: Turn = [1.0, 0.0, 0.0, 0.0];
 
-pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -16,23 +16,23 @@ pub(super) fn cross(a: &Vector, b: &Vector) -> Vector {
     ]
 }
 
-pub(super) fn dot(a: &Vector, b: &Vector) -> f64 {
+pub(crate) fn dot(a: &Vector, b: &Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub(super) fn sum(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn sum(a: &Vector, b: &Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub(super) fn difference(a: &Vector, b: &Vector) -> Vector {
+pub(crate) fn difference(a: &Vector, b: &Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 /// Q − I of a rotation: what it adds to a vector, without cancellation where it is small.
-pub(super) type Shift = [Vector; 3];
+pub(crate) type Shift = [Vector; 3];
 
 /// Q − I.
-pub(super) fn shift([w, x, y, z]: &Turn) -> Shift {
+pub(crate) fn shift([w, x, y, z]: &Turn) -> Shift {
     [
         [
             -2.0 * (y * y + z * z),
@@ -53,27 +53,27 @@ pub(super) fn shift([w, x, y, z]: &Turn) -> Shift {
 }
 
 /// (Q − I) p.
-pub(super) fn moved(shift: &Shift, p: &Vector) -> Vector {
+pub(crate) fn moved(shift: &Shift, p: &Vector) -> Vector {
     [dot(&shift[0], p), dot(&shift[1], p), dot(&shift[2], p)]
 }
 
 /// (Qᵀ − I) p.
-pub(super) fn moved_back(shift: &Shift, p: &Vector) -> Vector {
+pub(crate) fn moved_back(shift: &Shift, p: &Vector) -> Vector {
     [0, 1, 2].map(|axis| shift[0][axis] * p[0] + shift[1][axis] * p[1] + shift[2][axis] * p[2])
 }
 
 /// Q p: from body axes to those of the floor.
-pub(super) fn turned(shift: &Shift, p: &Vector) -> Vector {
+pub(crate) fn turned(shift: &Shift, p: &Vector) -> Vector {
     sum(p, &moved(shift, p))
 }
 
 /// Qᵀ p: from the axes of the floor to those of the body.
-pub(super) fn turned_back(shift: &Shift, p: &Vector) -> Vector {
+pub(crate) fn turned_back(shift: &Shift, p: &Vector) -> Vector {
     sum(p, &moved_back(shift, p))
 }
 
 /// q̇ = ½ q ⊗ (0, Ω), with Ω in body axes.
-pub(super) fn turning(turn: &Turn, omega: &Vector) -> Turn {
+pub(crate) fn turning(turn: &Turn, omega: &Vector) -> Turn {
     let [w, axis @ ..] = turn;
     let across = cross(axis, omega);
     [
@@ -86,7 +86,7 @@ pub(super) fn turning(turn: &Turn, omega: &Vector) -> Turn {
 
 /// The rotation by `angle_rad` about a horizontal axis that tilts a body towards the direction
 /// `toward_rad` (0: +x, π/2: +y).
-pub(super) fn tilted(angle_rad: f64, toward_rad: f64) -> Turn {
+pub(crate) fn tilted(angle_rad: f64, toward_rad: f64) -> Turn {
     let (sin, cos) = (0.5 * angle_rad).sin_cos();
     [cos, -sin * toward_rad.sin(), sin * toward_rad.cos(), 0.0]
 }

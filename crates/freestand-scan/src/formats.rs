@@ -1,0 +1,321 @@
+//! The formats of meshes, recognised by their content.
+
+use std::io::{BufReader, Cursor};
+use std::path::Path;
+
+use freestand_input::file::{InputFile, load};
+use freestand_input::problem::Problem;
+use ply_rs_bw::parser::Parser;
+use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
+
+use crate::mesh::Mesh;
+
+/// The bytes before the triangles of a binary STL, and those of each triangle.
+const STL_HEAD: usize = 84;
+const STL_TRIANGLE: usize = 50;
+
+const HINT: &str = "give a scan as OBJ, STL, PLY or binary glTF (.glb)";
+
+/// Reads a mesh from an OBJ, STL, PLY or binary glTF file.
+///
+/// # Errors
+/// A file that cannot be read, or that is none of these; one without triangles, or with numbers that are
+/// none.
+pub fn read_mesh(path: &Path) -> Result<(InputFile, Mesh), Problem> {
+    let bytes = load(path)?;
+    let mesh = parse_mesh(&bytes).map_err(|problem| problem.in_file(path))?;
+    Ok((InputFile::new(path, &bytes), mesh))
+}
+
+/// Reads a mesh from the content of such a file.
+///
+/// # Errors
+/// As [`read_mesh`].
+pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let mesh = parse(bytes)?;
+    if !mesh.vertices.iter().flatten().all(|x| x.is_finite()) {
+        let hint = "export the scan again";
+        return Err(Problem::format(
+            "a vertex of the mesh is not a number",
+            hint,
+        ));
+    }
+    if mesh.faces.len() < 4 {
+        let message = format!(
+            "the mesh has {} triangles, which enclose nothing",
+            mesh.faces.len()
+        );
+        let hint = "export the surface of the scan as triangles, not as points";
+        return Err(Problem::format(message, hint));
+    }
+    Ok(mesh)
+}
+
+fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
+    if bytes.starts_with(b"glTF") || is_json(bytes) {
+        gltf(bytes)
+    } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+        ply(bytes)
+    } else if is_stl(bytes) {
+        stl(bytes)
+    } else if is_obj(bytes) {
+        obj(bytes)
+    } else {
+        Err(Problem::format("this is no mesh that is known", HINT))
+    }
+}
+
+fn is_json(bytes: &[u8]) -> bool {
+    bytes.trim_ascii_start().starts_with(b"{")
+}
+
+/// A binary STL says how many triangles follow; a text begins with `solid` and has facets.
+fn is_stl(bytes: &[u8]) -> bool {
+    let count = bytes
+        .get(80..STL_HEAD)
+        .and_then(|count| <[u8; 4]>::try_from(count).ok())
+        .map(u32::from_le_bytes);
+    let is_binary = count.is_some_and(|count| {
+        (count as usize)
+            .checked_mul(STL_TRIANGLE)
+            .is_some_and(|size| size + STL_HEAD == bytes.len())
+    });
+    let head = bytes.get(..1000.min(bytes.len())).unwrap_or_default();
+    let is_text = head.trim_ascii_start().starts_with(b"solid")
+        && head.windows(5).any(|word| word == b"facet");
+    is_binary || is_text
+}
+
+/// A text in which a line begins with `v `.
+fn is_obj(bytes: &[u8]) -> bool {
+    let mut lines = bytes.split(|byte| *byte == b'\n');
+    lines.any(|line| {
+        let line = line.trim_ascii_start();
+        line.starts_with(b"v ") || line.starts_with(b"v\t")
+    })
+}
+
+fn broken(format: &str, error: &dyn std::fmt::Display) -> Problem {
+    Problem::format(
+        format!("the {format} file cannot be read: {error}"),
+        "export the scan again",
+    )
+}
+
+/// Triangles by vertices that may not be there.
+fn checked(
+    format: &str,
+    vertices: &[[f64; 3]],
+    faces: impl Iterator<Item = [usize; 3]> + Clone,
+) -> Result<Mesh, Problem> {
+    let mut all = faces.clone();
+    if all.any(|face| face.iter().any(|one| *one >= vertices.len())) {
+        return Err(broken(
+            format,
+            &"a triangle names a vertex that is not there",
+        ));
+    }
+    Ok(Mesh::merged(vertices, faces))
+}
+
+fn obj(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let options = tobj::LoadOptions {
+        triangulate: true,
+        ignore_points: true,
+        ignore_lines: true,
+        ..tobj::LoadOptions::default()
+    };
+    // Materials have no weight.
+    let no_materials = |_: &std::path::Path| Ok(Default::default());
+    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(bytes), &options, no_materials)
+        .map_err(|error| broken("OBJ", &error))?;
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for model in models {
+        let first = vertices.len();
+        let positions = model.mesh.positions.as_chunks::<3>().0;
+        vertices.extend_from_slice(positions);
+        let triangles = model.mesh.indices.as_chunks::<3>().0;
+        faces.extend(
+            triangles
+                .iter()
+                .map(|face| face.map(|one| first + one as usize)),
+        );
+    }
+    checked("OBJ", &vertices, faces.iter().copied())
+}
+
+fn stl(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let mesh = stl_io::read_stl(&mut Cursor::new(bytes)).map_err(|error| broken("STL", &error))?;
+    let vertices: Vec<[f64; 3]> = mesh
+        .vertices
+        .iter()
+        .map(|vertex| [0, 1, 2].map(|axis| f64::from(vertex[axis])))
+        .collect();
+    let faces = mesh.faces.iter().map(|face| face.vertices);
+    checked("STL", &vertices, faces)
+}
+
+/// A vertex of a PLY file.
+struct PlyVertex([f64; 3]);
+
+impl PropertyAccess for PlyVertex {
+    fn new() -> Self {
+        Self([f64::NAN; 3])
+    }
+
+    fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
+        let axis = match key {
+            "x" => 0,
+            "y" => 1,
+            "z" => 2,
+            _ => return PropertyAccessResult::Set,
+        };
+        self.0[axis] = match property {
+            Property::Float(x) => f64::from(x),
+            Property::Double(x) => x,
+            Property::Int(x) => f64::from(x),
+            Property::Short(x) => f64::from(x),
+            _ => f64::NAN,
+        };
+        PropertyAccessResult::Set
+    }
+}
+
+/// A face of a PLY file: the places of its vertices.
+struct PlyFace(Vec<usize>);
+
+impl PropertyAccess for PlyFace {
+    fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    fn set_property(&mut self, key: &str, property: Property) -> PropertyAccessResult {
+        if !matches!(key, "vertex_index" | "vertex_indices") {
+            return PropertyAccessResult::Set;
+        }
+        // A place that is below 0 is none.
+        let place = |one: i64| usize::try_from(one).unwrap_or(usize::MAX);
+        self.0 = match property {
+            Property::ListInt(all) => all.into_iter().map(|one| place(one.into())).collect(),
+            Property::ListUInt(all) => all.into_iter().map(|one| place(one.into())).collect(),
+            Property::ListUShort(all) => all.into_iter().map(|one| place(one.into())).collect(),
+            Property::ListShort(all) => all.into_iter().map(|one| place(one.into())).collect(),
+            Property::ListUChar(all) => all.into_iter().map(|one| place(one.into())).collect(),
+            _ => Vec::new(),
+        };
+        PropertyAccessResult::Set
+    }
+}
+
+/// What else stands in a PLY file.
+struct PlyOther;
+
+impl PropertyAccess for PlyOther {
+    fn new() -> Self {
+        Self
+    }
+
+    fn set_property(&mut self, _: &str, _: Property) -> PropertyAccessResult {
+        PropertyAccessResult::Set
+    }
+}
+
+fn ply(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let failed = |error| broken("PLY", &error);
+    let mut reader = ply_rs_bw::parser::Reader::new(BufReader::new(Cursor::new(bytes)));
+    let vertex_parser = Parser::<PlyVertex>::new();
+    let (face_parser, other_parser) = (Parser::<PlyFace>::new(), Parser::<PlyOther>::new());
+    let header = vertex_parser.read_header(&mut reader).map_err(failed)?;
+    let (mut vertices, mut polygons) = (Vec::new(), Vec::new());
+    for (name, element) in &header.elements {
+        match name.as_str() {
+            "vertex" => {
+                let read = vertex_parser.read_payload_for_element(&mut reader, element, &header);
+                vertices = read.map_err(failed)?;
+            }
+            "face" => {
+                let read = face_parser.read_payload_for_element(&mut reader, element, &header);
+                polygons = read.map_err(failed)?;
+            }
+            _ => {
+                let read = other_parser.read_payload_for_element(&mut reader, element, &header);
+                read.map_err(failed)?;
+            }
+        }
+    }
+    let vertices: Vec<[f64; 3]> = vertices.into_iter().map(|vertex| vertex.0).collect();
+    // A polygon is a fan about its first vertex.
+    let faces = polygons.iter().flat_map(|polygon| {
+        let rest = polygon.0.get(1..).unwrap_or_default();
+        rest.windows(2).map(|pair| [polygon.0[0], pair[0], pair[1]])
+    });
+    checked("PLY", &vertices, faces)
+}
+
+/// Its y is upward.
+fn gltf(bytes: &[u8]) -> Result<Mesh, Problem> {
+    let file = gltf::Gltf::from_slice(bytes).map_err(|error| broken("glTF", &error))?;
+    let blob = file.blob.as_deref();
+    let is_beside = |buffer: gltf::Buffer| matches!(buffer.source(), gltf::buffer::Source::Uri(_));
+    if file.buffers().any(is_beside) {
+        let hint = "export it as one binary file (.glb)";
+        return Err(Problem::format(
+            "the glTF file has its vertices in another file",
+            hint,
+        ));
+    }
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    let scenes: Vec<gltf::Scene> = file.scenes().collect();
+    let scene = file.default_scene().or_else(|| scenes.into_iter().next());
+    let mut open: Vec<(gltf::Node, Transform)> = scene
+        .iter()
+        .flat_map(gltf::Scene::nodes)
+        .map(|node| (node, UNMOVED))
+        .collect();
+    while let Some((node, parent)) = open.pop() {
+        let own = node
+            .transform()
+            .matrix()
+            .map(|column| column.map(f64::from));
+        let at = product(&parent, &own);
+        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
+            if primitive.mode() != gltf::mesh::Mode::Triangles {
+                continue;
+            }
+            let first = vertices.len();
+            let reader = primitive.reader(|_| blob);
+            let Some(positions) = reader.read_positions() else {
+                continue;
+            };
+            vertices.extend(positions.map(|place| {
+                let [x, y, z] = moved(&at, place.map(f64::from));
+                [x, -z, y]
+            }));
+            let places: Vec<usize> = match reader.read_indices() {
+                Some(indices) => indices.into_u32().map(|one| first + one as usize).collect(),
+                None => (first..vertices.len()).collect(),
+            };
+            faces.extend_from_slice(places.as_chunks::<3>().0);
+        }
+        open.extend(node.children().map(|child| (child, at)));
+    }
+    checked("glTF", &vertices, faces.iter().copied())
+}
+
+/// Four columns.
+type Transform = [[f64; 4]; 4];
+
+const UNMOVED: Transform = [
+    [1.0, 0.0, 0.0, 0.0],
+    [0.0, 1.0, 0.0, 0.0],
+    [0.0, 0.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0, 1.0],
+];
+
+fn product(a: &Transform, b: &Transform) -> Transform {
+    b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|i| a[i][row] * column[i]).sum::<f64>()))
+}
+
+fn moved(at: &Transform, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [0, 1, 2].map(|row| at[0][row] * x + at[1][row] * y + at[2][row] * z + at[3][row])
+}

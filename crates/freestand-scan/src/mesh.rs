@@ -1,0 +1,63 @@
+//! A mesh of triangles, as a file has it.
+
+use std::collections::HashMap;
+
+/// Triangles with outward normals by the order of their vertices, z upward, in the unit of the file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Mesh {
+    /// Its vertices; no two are equal.
+    pub vertices: Vec<[f64; 3]>,
+    /// Its triangles; none has the same vertex twice.
+    pub faces: Vec<[u32; 3]>,
+}
+
+/// A vertex of a sum: `-0` is `0`.
+fn bits(vertex: &[f64; 3]) -> [u64; 3] {
+    vertex.map(|x| (x + 0.0).to_bits())
+}
+
+impl Mesh {
+    /// A mesh from triangles whose vertices may be equal: those become one. A triangle of one or two points is left out.
+    pub(crate) fn merged(vertices: &[[f64; 3]], faces: impl Iterator<Item = [usize; 3]>) -> Self {
+        let mut mesh = Self::default();
+        let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(vertices.len());
+        for face in faces {
+            let corners = face.map(|one| {
+                let vertex = vertices[one];
+                *known.entry(bits(&vertex)).or_insert_with(|| {
+                    mesh.vertices.push(vertex);
+                    (mesh.vertices.len() - 1) as u32
+                })
+            });
+            let [a, b, c] = corners;
+            if a != b && b != c && a != c {
+                mesh.faces.push(corners);
+            }
+        }
+        mesh
+    }
+
+    /// Whether the triangles enclose a volume: each of their sides belongs to two of them, in opposite directions.
+    pub fn is_watertight(&self) -> bool {
+        let mut sides: HashMap<(u32, u32), i32> = HashMap::with_capacity(3 * self.faces.len());
+        for [a, b, c] in &self.faces {
+            for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
+                *sides.entry((from, to)).or_default() += 1;
+            }
+        }
+        let is_met = |(from, to): &(u32, u32), count: &i32| sides.get(&(*to, *from)) == Some(count);
+        !sides.is_empty() && sides.iter().all(|(side, count)| is_met(side, count))
+    }
+
+    /// The smallest and the largest coordinates.
+    pub fn extent(&self) -> [[f64; 3]; 2] {
+        let mut extent = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];
+        for vertex in &self.vertices {
+            for axis in 0..3 {
+                extent[0][axis] = extent[0][axis].min(vertex[axis]);
+                extent[1][axis] = extent[1][axis].max(vertex[axis]);
+            }
+        }
+        extent
+    }
+}

@@ -1,0 +1,184 @@
+//! Bodies of any shape on the points of their hull, in three dimensions, on a stiff floor.
+//!
+//! What decides whether such a body falls is the true shape of its base. A base that is slightly
+//! curved rolls where a flat polygon strikes and loses energy, and the hill that its centre of gravity
+//! must climb is lower.
+//!
+//! * [`poses`]: the poses in which a body can stand;
+//! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
+//! * [`contact`]: the few points of its hull with which it touches the floor;
+//! * [`shake`]: the body under a motion of the floor.
+//!
+//! Vectors are in the axes in which the body was given, from its centre of gravity, z upward.
+
+pub mod barrier;
+pub mod contact;
+pub mod poses;
+pub mod shake;
+
+use thiserror::Error;
+
+use crate::space::{cross, difference, dot};
+
+/// A vector.
+pub type Vector = [f64; 3];
+
+/// The convex hull of a body, about its centre of gravity.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hull {
+    vertices_m: Vec<Vector>,
+    faces: Vec<[usize; 3]>,
+}
+
+/// Why a body cannot be calculated.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+pub enum HullError {
+    /// A hull has fewer than four vertices or faces.
+    #[error("the hull has {vertices} vertices and {faces} faces, and needs at least four of each")]
+    Few {
+        /// Its vertices.
+        vertices: usize,
+        /// Its faces.
+        faces: usize,
+    },
+    /// A face names a vertex that is not there, or a vertex is not a number.
+    #[error("the hull has a face or a vertex that is not valid")]
+    Invalid,
+    /// The centre of gravity is not inside.
+    #[error("the centre of gravity is not inside the hull")]
+    Outside,
+    /// The mass is not above 0, or the moments of inertia are not those of a body.
+    #[error("the mass or the moments of inertia are not those of a body")]
+    Mass,
+    /// It cannot stand as it was given.
+    #[error("the body cannot stand: its nearest stable pose is {tilt_deg:.0} degrees away")]
+    NoPose {
+        /// The tilt of the nearest stable pose \[°\].
+        tilt_deg: f64,
+    },
+}
+
+impl Hull {
+    /// A hull of triangles, about the centre of gravity of the body.
+    ///
+    /// # Errors
+    /// Too few vertices or faces, a face without its vertex, a centre of gravity outside.
+    pub fn new(vertices_m: Vec<Vector>, faces: Vec<[usize; 3]>) -> Result<Self, HullError> {
+        if vertices_m.len() < 4 || faces.len() < 4 {
+            return Err(HullError::Few {
+                vertices: vertices_m.len(),
+                faces: faces.len(),
+            });
+        }
+        let is_number = |vertex: &Vector| vertex.iter().all(|x| x.is_finite());
+        let is_vertex = |face: &[usize; 3]| face.iter().all(|one| *one < vertices_m.len());
+        if !vertices_m.iter().all(is_number) || !faces.iter().all(is_vertex) {
+            return Err(HullError::Invalid);
+        }
+        let hull = Self { vertices_m, faces };
+        // A sliver of a face has no direction, and says nothing.
+        if hull.planes().any(|(_, distance_m)| distance_m <= 0.0) {
+            return Err(HullError::Outside);
+        }
+        Ok(hull)
+    }
+
+    /// Its vertices \[m\].
+    pub fn vertices_m(&self) -> &[Vector] {
+        &self.vertices_m
+    }
+
+    /// Its triangles, by their vertices.
+    pub fn faces(&self) -> &[[usize; 3]] {
+        &self.faces
+    }
+
+    /// The corners of a face.
+    fn corners(&self, face: &[usize; 3]) -> [Vector; 3] {
+        face.map(|one| self.vertices_m[one])
+    }
+
+    /// The outward normal of every face that has an area, and its distance from the centre of gravity.
+    fn planes(&self) -> impl Iterator<Item = (Vector, f64)> {
+        self.faces.iter().filter_map(|face| {
+            let corners = self.corners(face);
+            let normal = unit(&normal_of(&corners))?;
+            Some((normal, dot(&normal, &corners[0])))
+        })
+    }
+
+    /// Height of the centre of gravity above a floor that is down in this direction of the body \[m\].
+    pub fn height_m(&self, down: &Vector) -> f64 {
+        height_m(&self.vertices_m, down)
+    }
+}
+
+/// Height of the centre of gravity on these points \[m\].
+pub(crate) fn height_m(points_m: &[Vector], down: &Vector) -> f64 {
+    points_m
+        .iter()
+        .map(|point| dot(point, down))
+        .fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn normal_of([a, b, c]: &[Vector; 3]) -> Vector {
+    cross(&difference(b, a), &difference(c, a))
+}
+
+fn unit(vector: &Vector) -> Option<Vector> {
+    let size = dot(vector, vector).sqrt();
+    (size > 0.0).then(|| vector.map(|x| x / size))
+}
+
+/// The direction that is down in the axes of a body tilted towards `toward_rad` (0: +x, π/2: +y).
+pub fn down(tilt_rad: f64, toward_rad: f64) -> Vector {
+    let (sin, cos) = tilt_rad.sin_cos();
+    [sin * toward_rad.cos(), sin * toward_rad.sin(), -cos]
+}
+
+/// Tilt and direction of a body in which this direction is down \[rad\].
+pub fn tilt_of(down: &Vector) -> (f64, f64) {
+    let tilt_rad = down[0].hypot(down[1]).atan2(-down[2]);
+    (tilt_rad, down[1].atan2(down[0]))
+}
+
+/// A rigid body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HullBody {
+    /// Its mass \[kg\].
+    pub mass_kg: f64,
+    /// Its moments of inertia about the centre of gravity \[kg m²\].
+    pub inertia_kg_m2: [Vector; 3],
+    /// Its hull.
+    pub hull: Hull,
+}
+
+impl HullBody {
+    /// A body with this mass, these moments of inertia and this hull.
+    ///
+    /// # Errors
+    /// A mass that is not above 0, or moments of inertia of no body: each must be above 0 and at most the
+    /// sum of the two others.
+    pub fn new(mass_kg: f64, inertia_kg_m2: [Vector; 3], hull: Hull) -> Result<Self, HullError> {
+        let moments = [0, 1, 2].map(|axis| inertia_kg_m2[axis][axis]);
+        let sum: f64 = moments.iter().sum();
+        let determinant = dot(
+            &inertia_kg_m2[0],
+            &cross(&inertia_kg_m2[1], &inertia_kg_m2[2]),
+        );
+        // A rounding error of a thin plate is allowed.
+        let is_moment = |one: &f64| *one > 0.0 && *one <= 0.5 * sum * (1.0 + 1e-9);
+        let is_body = mass_kg > 0.0 && mass_kg.is_finite() && determinant > 0.0;
+        if !is_body || !moments.iter().all(is_moment) {
+            return Err(HullError::Mass);
+        }
+        Ok(Self {
+            mass_kg,
+            inertia_kg_m2,
+            hull,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,192 @@
+use super::*;
+use crate::motion::Motion;
+use crate::spatial::SpatialMotion;
+use shake::{Contact, HullOutcome, shake};
+
+/// A uniform box of these sizes with its centre of gravity off the middle, and its moments of inertia as
+/// if it were in the middle.
+fn cuboid(sizes_m: Vector, offset_m: Vector) -> HullBody {
+    let corner = |at: usize| {
+        [0, 1, 2].map(|axis| {
+            let side = if at >> axis & 1 == 1 { 0.5 } else { -0.5 };
+            side * sizes_m[axis] - offset_m[axis]
+        })
+    };
+    let faces = [
+        [0, 2, 1],
+        [1, 2, 3],
+        [4, 5, 6],
+        [5, 7, 6],
+        [0, 1, 4],
+        [1, 5, 4],
+        [2, 6, 3],
+        [3, 6, 7],
+        [0, 4, 2],
+        [2, 4, 6],
+        [1, 3, 5],
+        [3, 7, 5],
+    ];
+    let hull = Hull::new((0..8).map(corner).collect(), faces.to_vec()).unwrap();
+    let mass_kg = 100.0;
+    let [x, y, z] = sizes_m.map(|size| size * size);
+    let moments = [y + z, x + z, x + y].map(|sum| mass_kg * sum / 12.0);
+    let inertia = [0, 1, 2].map(|i| {
+        let mut row = [0.0; 3];
+        row[i] = moments[i];
+        row
+    });
+    HullBody::new(mass_kg, inertia, hull).unwrap()
+}
+
+/// A constant acceleration along x, reached within half a second.
+fn ramp(accel_m_s2: f64, duration_s: f64) -> Motion {
+    let samples = (duration_s / 0.01) as usize;
+    let at = |i: usize| accel_m_s2 * (i as f64 / 50.0).min(1.0);
+    Motion::new(0.01, (0..samples).map(at).collect()).unwrap()
+}
+
+fn along_x(motion: &Motion) -> SpatialMotion<'_> {
+    SpatialMotion {
+        x: Some(motion),
+        ..SpatialMotion::default()
+    }
+}
+
+/// A box stands on each of its six sides.
+#[test]
+fn a_box_stands_on_six_sides() {
+    let body = cuboid([0.4, 0.6, 1.0], [0.05, 0.0, 0.0]);
+    let poses = body.hull.stable_poses();
+    assert_eq!(poses.len(), 6);
+    let upright = poses[0];
+    assert_eq!(upright, body.hull.standing().unwrap());
+    assert!((upright.cg_height_m - 0.5).abs() < 1e-15);
+    let mut heights: Vec<f64> = poses.iter().map(|pose| pose.cg_height_m).collect();
+    heights.sort_by(f64::total_cmp);
+    for (height, expected) in heights.iter().zip([0.15, 0.25, 0.3, 0.3, 0.5, 0.5]) {
+        assert!((height - expected).abs() < 1e-15, "{heights:?}");
+    }
+}
+
+/// Over an edge the centre of gravity rises from h to √(h² + e²): the angle is that of the edge.
+#[test]
+fn the_barrier_of_a_box_is_its_edge() {
+    let body = cuboid([0.4, 0.6, 1.0], [0.05, 0.0, 0.0]);
+    let barrier = body.hull.barrier(&body.hull.standing().unwrap());
+    let expected = 0.5_f64.hypot(0.15) - 0.5;
+    // The grid of 0.1° finds a maximum to (0.05°)²/2 of the radius, 0.2 µm.
+    assert!((barrier.rise_m - expected).abs() < 1e-6, "{barrier:?}");
+    let edge_rad = (0.15_f64 / 0.5).atan();
+    assert!((barrier.angle_rad() - edge_rad).abs() < 1e-5);
+    // A step of the finer grid.
+    assert!((barrier.tilt_rad - edge_rad).abs() < 0.0125_f64.to_radians());
+    assert!(barrier.toward_rad.abs() < 0.01, "{barrier:?}");
+    // Four corners carry it for every tilt.
+    let points = body.hull.contact_points_m(&[0.0, 0.0, -1.0]);
+    assert_eq!(points.len(), 4);
+    assert!(points.iter().all(|point| point[2] == -0.5));
+}
+
+/// Under a steady acceleration it stands below g e/h and falls above it.
+#[test]
+fn it_tips_at_the_angle_of_its_edge() {
+    let body = cuboid([0.4, 0.6, 1.0], [0.0; 3]);
+    let standing = body.standing(0).unwrap();
+    let threshold = 9.81 * 0.2 / 0.5;
+    let contact = Contact {
+        friction_ratio: 1.0,
+        ..Contact::default()
+    };
+    let under = |share: f64| {
+        let motion = ramp(share * threshold, 6.0);
+        shake(&standing, &contact, 0.0, &along_x(&motion), 9.81)
+    };
+    // Its contacts give way by 0.1 mm, which lowers the threshold by a thousandth.
+    assert_eq!(under(0.99).outcome, HullOutcome::Stood);
+    assert!(under(0.99).peak_tilt_rad < 0.005);
+    assert_eq!(under(1.01).outcome, HullOutcome::Overturned);
+    // Turned by a right angle, the other sides count: 0.3/0.5.
+    let motion = ramp(1.2 * threshold, 6.0);
+    let turned = shake(
+        &standing,
+        &contact,
+        std::f64::consts::FRAC_PI_2,
+        &along_x(&motion),
+        9.81,
+    );
+    assert_eq!(turned.outcome, HullOutcome::Stood);
+}
+
+/// With little friction it slides: the floor runs away from it with a(t) − μg, and it stops when the
+/// speeds are equal again.
+#[test]
+fn it_slides_by_coulombs_law() {
+    let body = cuboid([1.0, 1.0, 0.3], [0.0; 3]);
+    let contact = Contact {
+        friction_ratio: 0.1,
+        ..Contact::default()
+    };
+    // 2 m/s² for one second, then −2 m/s² for one second.
+    let accel = (0..200).map(|i| if i < 100 { 2.0 } else { -2.0 }).collect();
+    let motion = Motion::new(0.01, accel).unwrap();
+    let found = shake(
+        &body.standing(0).unwrap(),
+        &contact,
+        0.0,
+        &along_x(&motion),
+        9.81,
+    );
+    // Relative to the floor: −(2 − μg) for 1 s, then +(2 + μg) until at rest.
+    let mu_g = 0.981_f64;
+    let (slow, fast) = (2.0 - mu_g, 2.0 + mu_g);
+    let first = 0.5 * slow;
+    let second = 0.5 * slow * slow / fast;
+    // From there the floor leaves it the other way: again 2 − μg for what is left of the second, then μg.
+    let left_s = 1.0 - slow / fast;
+    let back = 0.5 * slow * left_s * left_s + 0.5 * (slow * left_s).powi(2) / mu_g;
+    let expected = -(first + second) + back;
+    // Between two samples the acceleration is a ramp, 10 ms long at each end: 1 % of a second.
+    assert!(
+        (found.moved_m[0] - expected).abs() < 0.02,
+        "{found:?} {expected}"
+    );
+    assert!(found.moved_m[1].abs() < 1e-9 && found.outcome == HullOutcome::Stood);
+}
+
+/// A weak motion moves nothing, and the same history gives the same bits.
+#[test]
+fn at_rest_it_stays() {
+    let body = cuboid([0.4, 0.6, 1.0], [0.03, -0.05, 0.1]);
+    let wave = |i: i32| 0.5 * (f64::from(i) / 7.0).sin();
+    let motion = Motion::new(0.005, (0..1000).map(wave).collect()).unwrap();
+    let standing = body.standing(0).unwrap();
+    let once = || shake(&standing, &Contact::default(), 0.3, &along_x(&motion), 9.81);
+    let found = once();
+    assert_eq!(found.outcome, HullOutcome::Stood);
+    assert!(
+        found.peak_tilt_rad < 1e-3 && found.moved_m[0].abs() < 1e-4,
+        "{found:?}"
+    );
+    assert_eq!(found, once());
+}
+
+#[test]
+fn what_is_no_body_is_refused() {
+    let cube = cuboid([1.0; 3], [0.0; 3]);
+    let vertices = cube.hull.vertices_m().to_vec();
+    let faces = cube.hull.faces().to_vec();
+    let few = Hull::new(vertices[..3].to_vec(), faces.clone());
+    assert!(matches!(few, Err(HullError::Few { .. })));
+    let mut beside = faces.clone();
+    beside[0][0] = 8;
+    assert_eq!(Hull::new(vertices.clone(), beside), Err(HullError::Invalid));
+    let away = vertices.iter().map(|[x, y, z]| [x + 2.0, *y, *z]).collect();
+    assert_eq!(Hull::new(away, faces.clone()), Err(HullError::Outside));
+    let inertia = cube.inertia_kg_m2;
+    for mass in [0.0, f64::NAN, f64::INFINITY] {
+        let body = HullBody::new(mass, inertia, cube.hull.clone());
+        assert_eq!(body, Err(HullError::Mass), "{mass}");
+    }
+    let needle = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.5]];
+    assert_eq!(HullBody::new(1.0, needle, cube.hull), Err(HullError::Mass));
+}
