@@ -11,8 +11,6 @@ const DT_S: f64 = 0.005;
 
 /// A test.
 pub(crate) struct Test {
-    /// Its number.
-    pub(crate) number: u32,
     /// The earthquake motion, which other tests have at other scales.
     pub(crate) motion: String,
     /// The acceleration of the table.
@@ -43,7 +41,6 @@ pub(crate) fn tests(folder: &Path) -> Result<Vec<Test>, Problem> {
             let number: u32 = number.parse().map_err(|_| bad(line))?;
             let file = folder.join(format!("motions/test{number:03}.csv"));
             Ok(Test {
-                number,
                 motion: motion.to_owned(),
                 table: table(&file)?,
                 fell: [first == "1", second == "1"],

@@ -21,7 +21,7 @@ use std::process::ExitCode;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
-use data::{Test, tests};
+use data::tests;
 use models::{Model, Rock};
 use scores::{Scores, brier, clustered_interval};
 
@@ -113,12 +113,6 @@ fn compare(data: &Path, out: &Path) -> Result<(), Problem> {
                 scores::reliability_csv(&reliability),
             )
         })
-        .and_then(|()| {
-            std::fs::write(
-                out.join("probabilities.csv"),
-                probabilities_csv(&tests, &ensembles),
-            )
-        })
         .map_err(|error| {
             Problem::format(error.to_string(), "choose another folder").in_file(out)
         })?;
@@ -127,20 +121,4 @@ fn compare(data: &Path, out: &Path) -> Result<(), Problem> {
     let svg = out.join("reliability.svg");
     std::fs::write(&svg, picture.svg)
         .map_err(|error| Problem::format(error.to_string(), "choose another folder").in_file(&svg))
-}
-
-fn probabilities_csv(tests: &[Test], ensembles: &[(Vec<f64>, Vec<bool>)]) -> String {
-    let mut text = String::from("test,motion,rock,p_overturn,overturned\n");
-    for (rock, (said, fell)) in ensembles.iter().enumerate() {
-        for ((test, said), fell) in tests.iter().zip(said).zip(fell) {
-            text.push_str(&format!(
-                "{},{},{},{said},{}\n",
-                test.number,
-                test.motion,
-                rock + 1,
-                u8::from(*fell)
-            ));
-        }
-    }
-    text
 }
