@@ -107,20 +107,20 @@ pub enum Missing {
 }
 
 impl Missing {
-    /// Its name after `its`.
+    /// What it is, such as `its mass`.
     pub fn words(self) -> &'static str {
         match self {
-            Self::Confirmation => "confirmation of its size",
-            Self::Level => "floor level",
-            Self::Height => "height",
-            Self::Thickness => "thickness",
-            Self::Geometry => "valid geometry",
-            Self::Width => "width",
-            Self::Mass => "mass",
-            Self::UpperMass => "mass of what stands on it",
-            Self::Stiffness => "cushion",
-            Self::Tolerance => "tolerance",
-            Self::StopStiffness => "wall stiffness",
+            Self::Confirmation => "a confirmation of its size",
+            Self::Level => "its floor level",
+            Self::Height => "its height",
+            Self::Thickness => "its thickness",
+            Self::Geometry => "a size that a block can have",
+            Self::Width => "its width",
+            Self::Mass => "its mass",
+            Self::UpperMass => "the mass of what stands on it",
+            Self::Stiffness => "its cushion",
+            Self::Tolerance => "its tolerance",
+            Self::StopStiffness => "the stiffness of its wall",
         }
     }
 

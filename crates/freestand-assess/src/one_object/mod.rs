@@ -246,7 +246,8 @@ fn in_study<'r>(
     let row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
     let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
-        let message = format!("its {} is missing", Missing::listed(&missing));
+        let verb = if missing.len() == 1 { "is" } else { "are" };
+        let message = format!("{} {verb} missing", Missing::listed(&missing));
         Problem::new(ProblemKind::Missing, message)
     })?;
     if matches!(request.earthquake, Earthquake::Motions { .. }) {

@@ -102,7 +102,7 @@ impl Display for NotFollowed {
             Self::Anchored => f.write_str("it is anchored"),
             Self::NotGiven(missing) => {
                 let verb = if missing.len() == 1 { "is" } else { "are" };
-                write!(f, "its {} {verb} not given", Missing::listed(missing))
+                write!(f, "{} {verb} not given", Missing::listed(missing))
             }
             Self::NoSize => f.write_str("it has no size"),
         }

@@ -47,7 +47,7 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
             "Nothing was assessed, because the study has no motion for this floor.".to_owned()
         }
         Reason::NotGiven(missing) => format!(
-            "Nothing was assessed, because the {}.",
+            "Nothing was assessed, because {}.",
             were_not_given(missing)
         ),
         Reason::Travels => found.rolled.map_or_else(String::new, |rolled| {
@@ -62,7 +62,7 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
             format!("Only falling was assessed: {why}.")
         }
         Reason::ShockUnknown(missing) => format!(
-            "Whether a shock damages it is unknown, because its {}.",
+            "Whether a shock damages it is unknown, because {}.",
             were_not_given(missing)
         ),
         Reason::Shock(governing) => of_answers(found, |answers| shock(found, answers, *governing)),
@@ -624,7 +624,7 @@ fn flat_words(flat: &Flat) -> String {
     let why = match flat {
         Flat::Missing(missing) => {
             let verb = if missing.len() == 1 { "is" } else { "are" };
-            format!("its {} {verb} not given", Missing::listed(missing))
+            format!("{} {verb} not given", Missing::listed(missing))
         }
         Flat::NotUniform => {
             "its base or its centre of gravity is not that of a uniform block".to_owned()

@@ -139,7 +139,7 @@ fn find_out(item: &Item, found: &Assessment) -> String {
     }
     let remedy = found.why.iter().find_map(|reason| match reason {
         Reason::NotGiven(missing) | Reason::ShockUnknown(missing) => {
-            Some(format!("Find out its {}.", Missing::listed(missing)))
+            Some(format!("Find out {}.", Missing::listed(missing)))
         }
         Reason::NoMotion => Some("Add a motion for its floor to the study.".to_owned()),
         Reason::Unchecked => Some("Confirm its tolerance.".to_owned()),

@@ -271,12 +271,12 @@ pub fn left_out_table(runs: &RunsReport) -> Result<Option<Table>, Problem> {
     if runs.left_out.is_empty() {
         return Ok(None);
     }
-    table(runs.left_out.iter().map(|one| NotRun(one).facts())).map(Some)
+    table(runs.left_out.iter().map(|one| OfLeftOut(one).facts())).map(Some)
 }
 
 answer_of!(
     /// An object that was not run.
-    struct NotRun<'r>(&'r LeftOut) as object.0 {
+    struct OfLeftOut<'r>(&'r LeftOut) as object.0 {
         id: String;
         /// The reason.
         why: String = object.0.why.to_string();
@@ -317,7 +317,7 @@ answer_of!(RunsAnswer<'_> as of.runs {
     /// The study as TOML.
     study: Option<String> = of.of_study(|of| of.study.toml.clone());
     motions: Vec<&FloorShaking> = of.runs.floors.iter().flatten().collect();
-    left_out: Vec<NotRun<'_>> = of.runs.left_out.iter().map(NotRun).collect();
+    left_out: Vec<OfLeftOut<'_>> = of.runs.left_out.iter().map(OfLeftOut).collect();
     objects: Vec<OfObject<'_>> = of.runs.reports.iter().flat_map(OfObject::all).collect();
     im_ranking: Vec<Ranked<'_>> = of.ranking();
 });

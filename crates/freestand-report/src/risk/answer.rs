@@ -32,7 +32,7 @@ answer_of!(
         is_bound: bool = report.0.is_bound();
         is_at_least: bool = report.0.is_at_least();
         /// Objects of the inventory without a fragility.
-        not_run: Vec<LeftOut<'_>> = report.0.not_run.iter().map(LeftOut).collect();
+        not_run: Vec<OfNotRun<'_>> = report.0.not_run.iter().map(OfNotRun).collect();
         portfolio: Option<InCurrency<'_>> = report.0.in_currency();
         /// Options, the one that pays most first.
         ranking: Option<Vec<&Worth>> = report.0.measures.as_ref().map(Measures::ranking);
@@ -84,7 +84,7 @@ answer_of!(
 
 answer_of!(
     /// An object of the inventory without a fragility.
-    struct LeftOut<'r>(&'r NotRun) as object.0 {
+    struct OfNotRun<'r>(&'r NotRun) as object.0 {
         id: String;
         item: String;
         quantity: f64;

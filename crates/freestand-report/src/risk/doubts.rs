@@ -239,7 +239,7 @@ fn no_portfolio(why: NoPortfolio, measure: Measure) -> String {
         }
         NoPortfolio::NotCalculated(at) => format!(
             "at {} every motion has a run that could not be calculated",
-            measure.value_words(at)
+            intensity(measure, at)
         ),
     }
 }

@@ -370,7 +370,7 @@ fn what_is_missing_is_said() {
     }
     for (id, missing) in [
         ("light", "the mass of what stands on it was not given"),
-        ("bare", "the mass and cushion were not given"),
+        ("bare", "its mass and its cushion were not given"),
     ] {
         assert_eq!(found[id]["decision"], "no-verdict", "{id}");
         assert!(

@@ -1,6 +1,6 @@
 //! Every reason and every note in words.
 
-use strum::EnumCount as _;
+use strum::{EnumCount as _, VariantArray as _};
 
 use super::*;
 use crate::assessment::fixture::{assessment, item};
@@ -341,4 +341,9 @@ fn answers_and_pads_in_words() {
     told.push(sentence(&Reason::Stacked, &walled, &found));
     told.push(joined(of_item(&walled).into_iter()));
     insta::assert_snapshot!(told.join("\n"));
+}
+
+#[test]
+fn everything_that_may_be_missing() {
+    insta::assert_snapshot!(Missing::listed(Missing::VARIANTS));
 }

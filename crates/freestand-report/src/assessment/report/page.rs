@@ -737,7 +737,7 @@ mod tests {
         );
         for said in [
             "NO VERDICT",
-            "Nothing was assessed, because the height, thickness and floor level were not given.",
+            "Nothing was assessed, because its height, its thickness and its floor level were not given.",
             "not given",
             "was not calculated",
         ] {

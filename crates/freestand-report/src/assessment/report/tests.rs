@@ -274,7 +274,7 @@ fn without_a_verdict_every_page_says_why() {
     assert!(
         html.contains("? NO VERDICT")
             && html.contains(
-                "Nothing was assessed, because the height, thickness and floor level were not given."
+                "Nothing was assessed, because its height, its thickness and its floor level were not given."
             )
     );
     parse(&html);
