@@ -53,16 +53,16 @@ const LANES: usize = 8;
 const STEP_S: f64 = 1e-4;
 
 /// A body settles for at most this time before it is shaken \[s\].
-const SETTLING_S: f64 = 5.0;
+const SETTLING_S: f64 = 30.0;
 
 /// It rests where it is slower than this for a fifth of a second \[m/s\]; before it is shaken, far slower.
 const RESTING_M_S: f64 = 1e-3;
 const SETTLED_M_S: f64 = 1e-5;
 const RESTING_S: f64 = 0.2;
 
-/// The share of its speed that a settling body keeps from step to step: it loses its vibration within
-/// some hundredths of a second.
-const SETTLING: f64 = 0.999;
+/// A settling body loses its speed at this rate \[1/s\]: enough to end its vibration, and little enough not to
+/// hold up what leans slowly.
+const SETTLING_1_S: f64 = 3.0;
 
 /// How a history on a hull ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -378,10 +378,11 @@ impl<'b> Stepper<'b> {
     fn settle(&mut self) -> bool {
         let mut rested = 0;
         let needed = self.steps(RESTING_S);
+        let kept = 1.0 - SETTLING_1_S * self.longest_s;
         for _ in 0..self.steps(SETTLING_S) {
             self.step(&[0.0; 3], self.longest_s);
-            self.velocity_m_s = self.velocity_m_s.map(|v| SETTLING * v);
-            self.omega_rad_s = self.omega_rad_s.map(|v| SETTLING * v);
+            self.velocity_m_s = self.velocity_m_s.map(|v| kept * v);
+            self.omega_rad_s = self.omega_rad_s.map(|v| kept * v);
             let is_slow = self.speed_m_s() < SETTLED_M_S;
             rested = if is_slow { rested + 1 } else { 0 };
             if rested > needed {
