@@ -68,7 +68,13 @@ pub fn scanned_body(
         let message = format!("the scan has no convex hull: {error}");
         Problem::value(message, "scan the whole surface of the object")
     })?;
-    let is_tight = mesh.is_watertight();
+    let parts = mesh.parts();
+    if parts > 1 && leaking == Leaking::Refuse {
+        let message = format!("the scan has {parts} separate parts");
+        let hint = "keep the object alone, or let the hull of the scan take its place";
+        return Err(Problem::value(message, hint));
+    }
+    let is_tight = mesh.is_watertight() && parts == 1;
     if !is_tight && leaking == Leaking::Refuse {
         let hint = "close its holes, or let the hull of the scan take its place";
         return Err(Problem::value(
@@ -76,11 +82,20 @@ pub fn scanned_body(
             hint,
         ));
     }
+    let of_hull = MassProperties::from_trimesh(1.0, &hull, &hull_faces);
     let of = if is_tight {
         MassProperties::from_trimesh(1.0, &points, &mesh.faces)
     } else {
-        MassProperties::from_trimesh(1.0, &hull, &hull_faces)
+        of_hull
     };
+    // More than its hull is counted twice; next to nothing is a sheet with two sides.
+    let filled = of.mass() / of_hull.mass();
+    if !(1e-3..=1.0 + 1e-6).contains(&filled) {
+        let message =
+            "the surface of the scan passes through itself, or its triangles are there twice";
+        let hint = "repair the mesh, or let the hull of the scan take its place";
+        return Err(Problem::value(message, hint));
+    }
     let volume_m3 = of.mass();
     let density = mass_kg / volume_m3;
     let moments = of.reconstruct_inertia_matrix().to_cols_array_2d();

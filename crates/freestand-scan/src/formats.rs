@@ -8,6 +8,7 @@ use freestand_input::problem::Problem;
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 
+use crate::glb;
 use crate::mesh::Mesh;
 
 /// The bytes before the triangles of a binary STL, and those of each triangle.
@@ -53,7 +54,7 @@ pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
 
 fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
     if bytes.starts_with(b"glTF") || is_json(bytes) {
-        gltf(bytes)
+        glb::parse(bytes)
     } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
         ply(bytes)
     } else if is_stl(bytes) {
@@ -250,72 +251,4 @@ fn ply(bytes: &[u8]) -> Result<Mesh, Problem> {
         rest.windows(2).map(|pair| [polygon.0[0], pair[0], pair[1]])
     });
     checked("PLY", &vertices, faces)
-}
-
-/// Its y is upward.
-fn gltf(bytes: &[u8]) -> Result<Mesh, Problem> {
-    let file = gltf::Gltf::from_slice(bytes).map_err(|error| broken("glTF", &error))?;
-    let blob = file.blob.as_deref();
-    let is_beside = |buffer: gltf::Buffer| matches!(buffer.source(), gltf::buffer::Source::Uri(_));
-    if file.buffers().any(is_beside) {
-        let hint = "export it as one binary file (.glb)";
-        return Err(Problem::format(
-            "the glTF file has its vertices in another file",
-            hint,
-        ));
-    }
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    let scenes: Vec<gltf::Scene> = file.scenes().collect();
-    let scene = file.default_scene().or_else(|| scenes.into_iter().next());
-    let mut open: Vec<(gltf::Node, Transform)> = scene
-        .iter()
-        .flat_map(gltf::Scene::nodes)
-        .map(|node| (node, UNMOVED))
-        .collect();
-    while let Some((node, parent)) = open.pop() {
-        let own = node
-            .transform()
-            .matrix()
-            .map(|column| column.map(f64::from));
-        let at = product(&parent, &own);
-        for primitive in node.mesh().iter().flat_map(gltf::Mesh::primitives) {
-            if primitive.mode() != gltf::mesh::Mode::Triangles {
-                continue;
-            }
-            let first = vertices.len();
-            let reader = primitive.reader(|_| blob);
-            let Some(positions) = reader.read_positions() else {
-                continue;
-            };
-            vertices.extend(positions.map(|place| {
-                let [x, y, z] = moved(&at, place.map(f64::from));
-                [x, -z, y]
-            }));
-            let places: Vec<usize> = match reader.read_indices() {
-                Some(indices) => indices.into_u32().map(|one| first + one as usize).collect(),
-                None => (first..vertices.len()).collect(),
-            };
-            faces.extend_from_slice(places.as_chunks::<3>().0);
-        }
-        open.extend(node.children().map(|child| (child, at)));
-    }
-    checked("glTF", &vertices, faces.iter().copied())
-}
-
-/// Four columns.
-type Transform = [[f64; 4]; 4];
-
-const UNMOVED: Transform = [
-    [1.0, 0.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0, 0.0],
-    [0.0, 0.0, 1.0, 0.0],
-    [0.0, 0.0, 0.0, 1.0],
-];
-
-fn product(a: &Transform, b: &Transform) -> Transform {
-    b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|i| a[i][row] * column[i]).sum::<f64>()))
-}
-
-fn moved(at: &Transform, [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|row| at[0][row] * x + at[1][row] * y + at[2][row] * z + at[3][row])
 }

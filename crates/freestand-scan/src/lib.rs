@@ -8,4 +8,5 @@
 
 pub mod body;
 pub mod formats;
+mod glb;
 pub mod mesh;

@@ -49,6 +49,28 @@ impl Mesh {
         !sides.is_empty() && sides.iter().all(|(side, count)| is_met(side, count))
     }
 
+    /// How many separate parts it has, which share no vertex.
+    pub fn parts(&self) -> usize {
+        let mut first: Vec<u32> = (0..self.vertices.len() as u32).collect();
+        fn root(first: &mut [u32], mut one: u32) -> u32 {
+            while first[one as usize] != one {
+                first[one as usize] = first[first[one as usize] as usize];
+                one = first[one as usize];
+            }
+            one
+        }
+        for [a, b, c] in &self.faces {
+            let a = root(&mut first, *a);
+            for other in [b, c] {
+                let other = root(&mut first, *other);
+                first[other as usize] = a;
+            }
+        }
+        (0..first.len() as u32)
+            .filter(|one| first[*one as usize] == *one)
+            .count()
+    }
+
     /// The smallest and the largest coordinates.
     pub fn extent(&self) -> [[f64; 3]; 2] {
         let mut extent = [[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]];

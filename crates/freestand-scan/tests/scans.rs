@@ -257,7 +257,7 @@ fn what_is_no_mesh_is_refused() {
             b"solid x\nfacet normal 0 0 0\nouter loop\nvertex 1 2\n",
             "STL file cannot be read",
         ),
-        (b"glTF\x02\0\0\0", "glTF file cannot be read"),
+        (b"glTF\x02\0\0\0", "it has no description"),
         (
             b"{\"asset\":{\"version\":\"2.0\"},\"buffers\":[{\"uri\":\"a.bin\",\"byteLength\":4}]}",
             "another file",
@@ -284,4 +284,66 @@ fn what_is_no_mesh_is_refused() {
             let _ = parse_mesh(&bytes[..end]);
         }
     }
+}
+
+/// A file whose numbers lie is refused.
+#[test]
+fn a_file_that_lies_is_refused() {
+    let whole = String::from_utf8_lossy(&glb()).into_owned();
+    assert!(whole.contains("componentType"));
+    for (from, to) in [
+        ("\"children\":[1]", "\"children\":[0]"),
+        ("\"componentType\":5123", "\"componentType\":5126"),
+        ("\"componentType\":5126", "\"componentType\":5121"),
+        ("\"count\":36", "\"count\":99"),
+        ("\"count\":8", "\"count\":0"),
+        ("\"type\":\"VEC3\"", "\"type\":\"VEC2\""),
+        ("\"byteOffset\":96", "\"byteOffset\":99"),
+        ("\"byteLength\":72", "\"byteLength\":71"),
+        ("\"mesh\":0", "\"mesh\":7"),
+        ("\"indices\":1", "\"indices\":5"),
+    ] {
+        let bytes = glb();
+        let at = bytes
+            .windows(from.len())
+            .position(|part| part == from.as_bytes())
+            .unwrap();
+        let mut changed = bytes.clone();
+        changed[at..at + to.len()].copy_from_slice(to.as_bytes());
+        let problem = parse_mesh(&changed).unwrap_err().to_string();
+        assert!(problem.contains("glTF"), "{to}: {problem}");
+    }
+}
+
+#[test]
+fn two_objects_and_double_surfaces_are_refused() {
+    let one = parse_mesh(&ply_binary()).unwrap();
+    let count = one.vertices.len() as u32;
+    let moved = |[x, y, z]: &[f64; 3]| [x + 2000.0, *y, *z];
+    let two = Mesh {
+        vertices: one
+            .vertices
+            .iter()
+            .copied()
+            .chain(one.vertices.iter().map(moved))
+            .collect(),
+        faces: one
+            .faces
+            .iter()
+            .copied()
+            .chain(one.faces.iter().map(|face| face.map(|place| place + count)))
+            .collect(),
+    };
+    assert_eq!((one.parts(), two.parts()), (1, 2));
+    let refused = scanned_body(&two, 1e-3, 50.0, Leaking::Refuse).unwrap_err();
+    assert!(
+        refused.to_string().contains("2 separate parts"),
+        "{refused}"
+    );
+    let twice = Mesh {
+        faces: [one.faces.clone(), one.faces.clone()].concat(),
+        ..one
+    };
+    let refused = scanned_body(&twice, 1e-3, 50.0, Leaking::Refuse).unwrap_err();
+    assert!(refused.to_string().contains("there twice"), "{refused}");
 }

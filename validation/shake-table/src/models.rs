@@ -6,9 +6,11 @@ use std::path::Path;
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::hull::barrier::Barrier;
-use freestand::hull::shake::{Contact, Standing, shake};
+use freestand::hull::poses::StablePose;
+use freestand::hull::shake::{Contact, HullOutcome, Standing, shake};
 use freestand::measures::measures;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
+use freestand::signal::filter::{Pass, filtered};
 use freestand::spatial::SpatialMotion;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
@@ -27,7 +29,7 @@ use crate::scores::logistic;
 const MASSES_KG: [f64; 2] = [353.8, 353.5];
 
 /// What was fixed before a body in space was run. One history: along +x of the scan, with [`Contact::default`].
-/// The probability: the mean over ten points of a Latin hypercube and both signs of the motion, with these
+/// The probability: the mean over ten points of a Latin hypercube and both signs of the direction, with these
 /// ranges.
 pub(crate) struct Prior {
     yaw_rad: (f64, f64),
@@ -75,7 +77,7 @@ impl Rock {
             .ok_or_else(|| unfit(&"it does not stand"))?;
         let barrier = body.hull.barrier(standing.pose());
         let cg_m = standing.pose().cg_height_m;
-        let polygon = polygon(&scanned);
+        let polygon = polygon(&scanned, standing.pose());
         let levers = |reach: &dyn Fn(f64) -> f64| [reach(0.0), reach(PI)];
         let projected = levers(&|toward| {
             polygon
@@ -92,7 +94,7 @@ impl Rock {
         };
         let block = |[right, left]: [f64; 2], inertia_m2: f64| -> Result<Block, Problem> {
             let base = right + left;
-            // The moment of inertia is that about the edge of the nearer side.
+            // The moment of inertia is that about the left edge.
             let block = Block::uniform(2.0 * cg_m, base).map_err(|error| unfit(&error))?;
             let block = block
                 .with_cg_offset(0.5 * (left - right))
@@ -102,10 +104,13 @@ impl Rock {
                 .with_inertia_per_mass(inertia_m2 + corner * corner)
                 .map_err(|error| unfit(&error))
         };
-        let about_y = inertia([0.0, 1.0, 0.0]);
+        let [x_axis, y_axis, _] = standing.pose().axes();
+        let about_y = inertia(y_axis);
         let toward = barrier.toward_rad;
         let lever_m = cg_m * barrier.angle_rad().tan();
-        let symmetric = block([lever_m; 2], inertia([-toward.sin(), toward.cos(), 0.0]))?;
+        let (sin, cos) = toward.sin_cos();
+        let across = [0, 1, 2].map(|i| cos * y_axis[i] - sin * x_axis[i]);
+        let symmetric = block([lever_m; 2], inertia(across))?;
         Ok(Self {
             projected: block(projected, about_y)?,
             along_ray: block(along_ray, about_y)?,
@@ -133,15 +138,16 @@ impl Rock {
     }
 }
 
-/// The points of the base within 3 mm of the lowest, from the centre of gravity \[m\].
-fn polygon(scanned: &ScannedBody) -> Vec<[f64; 2]> {
-    let vertices = scanned.body.hull.vertices_m();
-    let lowest = vertices
-        .iter()
-        .map(|one| one[2])
-        .fold(f64::INFINITY, f64::min);
-    let base = vertices.iter().filter(|one| one[2] < lowest + 0.003);
-    base.map(|one| [one[0], one[1]]).collect()
+/// The points of the base, within 3 mm of the floor as it rests, from the centre of gravity \[m\].
+fn polygon(scanned: &ScannedBody, pose: &StablePose) -> Vec<[f64; 2]> {
+    let axes = pose.axes();
+    let along = |vertex: &[f64; 3], axis: &[f64; 3]| -> f64 {
+        vertex.iter().zip(axis).map(|(x, of)| x * of).sum()
+    };
+    let vertices = scanned.body.hull.vertices_m().iter();
+    let base = vertices.filter(|one| along(one, &pose.down) > pose.cg_height_m - 0.003);
+    base.map(|one| [along(one, &axes[0]), along(one, &axes[1])])
+        .collect()
 }
 
 /// How far the edge of the hull of these points is from the origin in a direction \[m\].
@@ -208,35 +214,61 @@ impl Model {
         }
     }
 
-    /// The probability that a rock overturns in each test.
-    pub(crate) fn probabilities(self, rock: &Rock, tests: &[Test], fell: &[bool]) -> Vec<f64> {
-        let each = |one: &(dyn Fn(&Test) -> f64 + Sync)| tests.par_iter().map(one).collect();
+    /// What it says of each test.
+    pub(crate) fn says(self, rock: &Rock, tests: &[Test], fell: &[bool]) -> Result<Said, Problem> {
         match self {
-            Self::Stands => vec![0.0; tests.len()],
-            Self::Logistic => by_pgv(tests, fell),
-            Self::Projected => each(&|test| plane(&rock.projected, test)),
-            Self::AlongRay => each(&|test| plane(&rock.along_ray, test)),
-            Self::Symmetric => each(&|test| plane(&rock.symmetric, test)),
-            Self::Hull => each(&|test| {
-                let x = SpatialMotion {
-                    x: Some(&test.table),
-                    ..SpatialMotion::default()
-                };
-                let found = shake(&rock.standing, &Contact::default(), 0.0, &x, G0_M_S2);
-                f64::from(u8::from(found.outcome.falls()))
-            }),
-            Self::HullPrior => {
-                let points = points();
-                each(&|test| {
-                    let falls = points
-                        .iter()
-                        .filter(|point| point.falls(rock, test))
-                        .count();
-                    falls as f64 / points.len() as f64
-                })
-            }
+            Self::Stands => Ok(Said::of(vec![0.0; tests.len()])),
+            Self::Logistic => by_pgv(tests, fell).map(Said::of),
+            Self::Projected => plane(&rock.projected, tests),
+            Self::AlongRay => plane(&rock.along_ray, tests),
+            Self::Symmetric => plane(&rock.symmetric, tests),
+            Self::Hull => in_space(rock, tests, &[Point::ONE]),
+            Self::HullPrior => in_space(rock, tests, &points()),
         }
     }
+}
+
+/// What a model says of each test.
+pub(crate) struct Said {
+    /// The probability that the rock overturns.
+    pub(crate) probabilities: Vec<f64>,
+    /// Histories that end in another pose, which count as falls, and that do not end.
+    pub(crate) shifted: usize,
+    pub(crate) unresolved: usize,
+}
+
+impl Said {
+    fn of(probabilities: Vec<f64>) -> Self {
+        Self {
+            probabilities,
+            shifted: 0,
+            unresolved: 0,
+        }
+    }
+}
+
+/// The rock on its hull, at each of these points.
+fn in_space(rock: &Rock, tests: &[Test], points: &[Point]) -> Result<Said, Problem> {
+    let found: Result<Vec<Vec<HullOutcome>>, Problem> = tests
+        .par_iter()
+        .map(|test| {
+            points
+                .iter()
+                .map(|point| point.follow(rock, test))
+                .collect()
+        })
+        .collect();
+    let found = found?;
+    let share = |outcomes: &Vec<HullOutcome>| {
+        let falls = outcomes.iter().filter(|one| one.falls()).count();
+        falls as f64 / outcomes.len() as f64
+    };
+    let count = |is: fn(&HullOutcome) -> bool| found.iter().flatten().filter(|one| is(one)).count();
+    Ok(Said {
+        probabilities: found.iter().map(share).collect(),
+        shifted: count(|one| matches!(one, HullOutcome::Shifted(_))),
+        unresolved: count(|one| matches!(one, HullOutcome::Unresolved | HullOutcome::Unsettled)),
+    })
 }
 
 /// A point of the prior.
@@ -247,21 +279,36 @@ struct Point {
 }
 
 impl Point {
-    fn falls(&self, rock: &Rock, test: &Test) -> bool {
-        let Ok(table) = test.table.scaled(self.scale_ratio) else {
-            return false;
-        };
+    /// Along +x of the scan, with the contacts that were fixed.
+    const ONE: Self = Self {
+        contact: Contact {
+            friction_ratio: 0.6,
+            damping_ratio: 0.2,
+            sinking_m: 1e-4,
+        },
+        yaw_rad: 0.0,
+        scale_ratio: 1.0,
+    };
+
+    fn follow(&self, rock: &Rock, test: &Test) -> Result<HullOutcome, Problem> {
+        let failed =
+            |error: &dyn std::fmt::Display| Problem::value(error.to_string(), "check the test");
+        let table = test
+            .table
+            .scaled(self.scale_ratio)
+            .map_err(|error| failed(&error))?;
         let x = SpatialMotion {
             x: Some(&table),
             ..SpatialMotion::default()
         };
-        shake(&rock.standing, &self.contact, self.yaw_rad, &x, G0_M_S2)
-            .outcome
-            .falls()
+        let found = shake(&rock.standing, &self.contact, self.yaw_rad, &x, G0_M_S2);
+        found
+            .map(|found| found.outcome)
+            .map_err(|error| failed(&error))
     }
 }
 
-/// Ten points of a Latin hypercube, each with both signs of the motion.
+/// Ten points of a Latin hypercube, each with both signs of the direction.
 fn points() -> Vec<Point> {
     let mut random = ChaCha8Rng::seed_from_u64(0);
     let mut column = || {
@@ -282,47 +329,56 @@ fn points() -> Vec<Point> {
                     damping_ratio: by_ratio(damping[at], PRIOR.damping_ratio),
                     sinking_m: by_ratio(sinking[at], PRIOR.sinking_m),
                 },
-                yaw_rad: even(yaw[at], PRIOR.yaw_rad),
-                scale_ratio: sign * even(scale[at], PRIOR.scale_ratio),
+                yaw_rad: sign * even(yaw[at], PRIOR.yaw_rad),
+                scale_ratio: even(scale[at], PRIOR.scale_ratio),
             })
         })
         .collect()
 }
 
 /// 1 where a plane block falls.
-fn plane(block: &Block, test: &Test) -> f64 {
+fn plane(block: &Block, tests: &[Test]) -> Result<Said, Problem> {
     let until = Until::Settled { at_most_s: 120.0 };
     let options = RockingOptions {
         until,
         ..RockingOptions::default()
     };
-    let base = Base {
-        horizontal: Some(&test.table),
-        vertical: None,
+    let fell = |test: &Test| {
+        let base = Base {
+            horizontal: Some(&test.table),
+            vertical: None,
+        };
+        let history = rock(block, base, &options);
+        history
+            .map(|history| f64::from(u8::from(history.outcome == Outcome::Overturned)))
+            .map_err(|error| Problem::value(error.to_string(), "check the test"))
     };
-    rock(block, base, &options).map_or(f64::NAN, |history| {
-        f64::from(u8::from(history.outcome == Outcome::Overturned))
-    })
+    let said: Result<Vec<f64>, Problem> = tests.par_iter().map(fell).collect();
+    said.map(Said::of)
 }
 
-/// The peak velocity of the table decides, as the tests under all other motions say.
-fn by_pgv(tests: &[Test], fell: &[bool]) -> Vec<f64> {
-    let ln_pgv: Vec<f64> = tests
-        .par_iter()
-        .map(|test| measures(&test.table).pgv_m_s.ln())
-        .collect();
-    tests
-        .iter()
-        .zip(&ln_pgv)
-        .map(|(test, own)| {
-            let others = tests
-                .iter()
-                .zip(&ln_pgv)
-                .zip(fell)
-                .filter(|((other, _), _)| other.motion != test.motion);
-            let known: Vec<(f64, bool)> =
-                others.map(|((_, ln_pgv), fell)| (*ln_pgv, *fell)).collect();
-            logistic(&known, *own)
-        })
-        .collect()
+/// The corner of the high-pass that the records of the table had before their ends were cut \[Hz\].
+const LOW_CUT_HZ: f64 = 0.1;
+
+/// The peak velocity of the table decides, as the tests under all other motions say. The records are filtered
+/// again, because velocities drift after their ends were cut.
+fn by_pgv(tests: &[Test], fell: &[bool]) -> Result<Vec<f64>, Problem> {
+    let ln_pgv = |test: &Test| {
+        let pass = Pass::High {
+            low_cut_hz: LOW_CUT_HZ,
+        };
+        let table = filtered(&test.table, pass, 3);
+        table
+            .map(|table| measures(&table.motion).pgv_m_s.ln())
+            .map_err(|error| Problem::value(error.to_string(), "check the test"))
+    };
+    let ln_pgv: Result<Vec<f64>, Problem> = tests.par_iter().map(ln_pgv).collect();
+    let ln_pgv = ln_pgv?;
+    let by_others = |(test, own): (&Test, &f64)| {
+        let all = tests.iter().zip(&ln_pgv).zip(fell);
+        let others = all.filter(|((other, _), _)| other.motion != test.motion);
+        let known: Vec<(f64, bool)> = others.map(|((_, ln_pgv), fell)| (*ln_pgv, *fell)).collect();
+        logistic(&known, *own)
+    };
+    Ok(tests.iter().zip(&ln_pgv).map(by_others).collect())
 }

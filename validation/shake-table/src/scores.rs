@@ -37,29 +37,29 @@ fn square(said: f64, fell: bool) -> f64 {
     error * error
 }
 
-/// The mean square of the error of probabilities (Brier 1950).
-pub(crate) fn brier(said: &[f64], fell: &[bool]) -> f64 {
-    let sum: f64 = said
-        .iter()
-        .zip(fell)
-        .map(|(said, fell)| square(*said, *fell))
-        .sum();
-    sum / said.len() as f64
+/// The mean; of [`squares`] it is the Brier score (Brier 1950).
+pub(crate) fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
-/// The 90 % interval of a Brier score: whole motions are drawn again, because tests under one motion are not
-/// independent.
-pub(crate) fn clustered_interval(tests: &[Test], said: &[f64], fell: &[bool]) -> (f64, f64) {
+/// The square of the error of each probability.
+pub(crate) fn squares(said: &[f64], fell: &[bool]) -> Vec<f64> {
+    let both = said.iter().zip(fell);
+    both.map(|(said, fell)| square(*said, *fell)).collect()
+}
+
+/// The 90 % interval of the mean of a value of each test: whole motions are drawn again, because tests under
+/// one motion are not independent.
+pub(crate) fn clustered_interval(tests: &[Test], values: &[f64]) -> (f64, f64) {
     let clusters: Vec<(f64, usize)> = motions(tests)
         .into_iter()
         .map(|motion| {
             let of = tests
                 .iter()
-                .zip(said)
-                .zip(fell)
-                .filter(|((test, _), _)| test.motion == motion);
-            of.fold((0.0, 0), |(sum, count), ((_, said), fell)| {
-                (sum + square(*said, *fell), count + 1)
+                .zip(values)
+                .filter(|(test, _)| test.motion == motion);
+            of.fold((0.0, 0), |(sum, count), (_, value)| {
+                (sum + value, count + 1)
             })
         })
         .collect();
@@ -73,7 +73,7 @@ pub(crate) fn clustered_interval(tests: &[Test], said: &[f64], fell: &[bool]) ->
         })
         .collect();
     means.sort_by(f64::total_cmp);
-    (means[SAMPLES / 20], means[SAMPLES - SAMPLES / 20])
+    (means[SAMPLES / 20], means[SAMPLES - 1 - SAMPLES / 20])
 }
 
 /// The probability at `x` of the logistic curve through these outcomes, by Newton's method, with a weak

@@ -1,13 +1,11 @@
 //! The hill that the centre of gravity of a body must climb before it falls.
 
 use std::cmp::{Ordering, Reverse};
-use std::collections::{BinaryHeap, HashMap};
+use std::collections::{BinaryHeap, HashMap, HashSet};
 use std::f64::consts::{PI, TAU};
 
-use super::contact::Around;
 use super::poses::StablePose;
-use super::{Hull, Vector, tilt_of};
-use crate::space::dot;
+use super::{Hull, Vector};
 
 /// A body has fallen at this tilt from its pose \[rad\], or where its centre of gravity is this much lower
 /// \[m\].
@@ -18,12 +16,10 @@ const FALLEN_M: f64 = 0.01;
 const TILTS: usize = 500;
 const DIRECTIONS: usize = 720;
 
-/// About the pass they are this many times finer: the height of the pass is then within 0.01 mm for a centre
-/// of gravity at 0.3 m.
+/// Beside the lowest way they are this many times finer, because the edge over which it falls may lie between
+/// two directions; within this many coarse steps.
 const FINER: usize = 8;
-
-/// How far about the pass \[steps\].
-const WINDOW: usize = 10;
+const WIDTH: usize = 2;
 
 /// The lowest way over which a body falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,10 +28,9 @@ pub struct Barrier {
     pub rest_m: f64,
     /// How much higher the pass is \[m\].
     pub rise_m: f64,
-    /// Tilt of the pass from the pose: from there on the body falls by itself. About an edge it is the angle of
-    /// the edge \[rad\].
+    /// Tilt of the pass from the pose; about an edge it is the angle of the edge \[rad\].
     pub tilt_rad: f64,
-    /// Its direction: 0 to +x, π/2 to +y \[rad\].
+    /// Its direction in the [axes](StablePose::axes) of the pose: 0 to +x, π/2 to +y \[rad\].
     pub toward_rad: f64,
 }
 
@@ -48,35 +43,31 @@ impl Barrier {
 
 impl Hull {
     /// The lowest pass between a pose and a fall: over all ways of tilting, the smallest of the largest
-    /// heights of the centre of gravity on the way to a tilt of 50°, or to 10 mm below the pose.
+    /// heights of the centre of gravity on the way to a tilt of 50°, or to 10 mm below the pose. Passes to other
+    /// stable poses on the way are not told apart.
     pub fn barrier(&self, pose: &StablePose) -> Barrier {
         let rest_m = pose.cg_height_m;
+        let is_over = |grid: &Grid, cell: Cell, height_m: f64| {
+            cell.tilt == grid.tilts || height_m < rest_m - FALLEN_M
+        };
         let coarse = Grid::new(self, pose, 1);
-        let is_over =
-            |cell: Cell, height_m: f64| cell.tilt == coarse.tilts || height_m < rest_m - FALLEN_M;
-        let way = coarse.lowest_way(POSE, |_| true, is_over);
-        // The same about the pass alone, in finer steps, from before it to past it.
-        let at = way.highest();
-        let (from, to) = (
-            at.saturating_sub(WINDOW),
-            (at + WINDOW).min(way.cells.len() - 1),
-        );
+        let way = coarse.lowest_way(|_| true, |cell, height_m| is_over(&coarse, cell, height_m));
+        // The same beside that way alone, in finer steps.
         let fine = Grid::new(self, pose, FINER);
-        let [start, end] = [from, to].map(|at| fine.of(way.cells[at].0));
-        let pass = way.cells[at].0;
-        let is_near = |cell: Cell| fine.is_near(cell, pass);
-        let finer = fine.lowest_way(start, is_near, |cell, _| cell == end);
-        let (cell, pass_m) = finer.cells[finer.highest()];
-        let beside = way.cells[..from].iter().chain(&way.cells[to..]);
-        let highest_m = beside.map(|(_, height_m)| *height_m).fold(pass_m, f64::max);
-        let down = fine.down(cell);
-        let along = dot(&down, &pose.down);
-        let aside = [0, 1, 2].map(|i| down[i] - along * pose.down[i]);
+        let beside = coarse.beside_all(way.cells.iter().map(|(cell, _)| *cell));
+        let is_beside = |cell: Cell| {
+            let tilt = cell.tilt / FINER;
+            let direction = cell.direction / FINER;
+            tilt <= WIDTH || beside.contains(&Cell { tilt, direction })
+        };
+        let way = fine.lowest_way(is_beside, |cell, height_m| is_over(&fine, cell, height_m));
+        let (cell, highest_m) = way.highest();
+        let (tilt_rad, toward_rad) = fine.angles(cell);
         Barrier {
             rest_m,
             rise_m: highest_m - rest_m,
-            tilt_rad: fine.angles(cell).0,
-            toward_rad: tilt_of(&aside).1,
+            tilt_rad,
+            toward_rad,
         }
     }
 }
@@ -95,29 +86,31 @@ const POSE: Cell = Cell {
 
 struct Grid<'h> {
     hull: &'h Hull,
-    around: Around,
-    finer: usize,
+    pose: &'h StablePose,
+    axes: [Vector; 3],
     tilts: usize,
     directions: usize,
 }
 
 impl<'h> Grid<'h> {
-    fn new(hull: &'h Hull, pose: &StablePose, finer: usize) -> Self {
+    fn new(hull: &'h Hull, pose: &'h StablePose, finer: usize) -> Self {
         Self {
             hull,
-            around: Around::new(&pose.down),
-            finer,
+            pose,
+            axes: pose.axes(),
             tilts: finer * TILTS,
             directions: finer * DIRECTIONS,
         }
     }
 
-    /// A cell of the coarse grid.
-    fn of(&self, coarse: Cell) -> Cell {
-        Cell {
-            tilt: self.finer * coarse.tilt,
-            direction: self.finer * coarse.direction,
+    /// These cells, and all within [`WIDTH`] of them.
+    fn beside_all(&self, cells: impl Iterator<Item = Cell>) -> HashSet<Cell> {
+        let mut all: HashSet<Cell> = cells.collect();
+        for _ in 0..WIDTH {
+            let more: Vec<Cell> = all.iter().flat_map(|cell| self.beside(*cell)).collect();
+            all.extend(more);
         }
+        all
     }
 
     fn angles(&self, cell: Cell) -> (f64, f64) {
@@ -129,17 +122,7 @@ impl<'h> Grid<'h> {
 
     fn down(&self, cell: Cell) -> Vector {
         let (tilt_rad, toward_rad) = self.angles(cell);
-        self.around.down(tilt_rad, toward_rad)
-    }
-
-    /// Whether a cell is within twice the window about one of the coarse grid.
-    fn is_near(&self, cell: Cell, coarse: Cell) -> bool {
-        let middle = self.of(coarse);
-        let most = 2 * WINDOW * self.finer;
-        let turn = cell.direction.abs_diff(middle.direction);
-        // Near the pose all directions are.
-        cell.tilt.abs_diff(middle.tilt) <= most
-            && (turn.min(self.directions - turn) <= most || cell.tilt <= most)
+        self.pose.tilted(&self.axes, tilt_rad, toward_rad)
     }
 
     /// The cells beside a cell, with those across its corners.
@@ -165,15 +148,15 @@ impl<'h> Grid<'h> {
         cells
     }
 
-    /// The way from `start` whose highest place is lowest, through cells that are allowed, to the first one
+    /// The way from the pose whose highest place is lowest, through cells that are allowed, to the first one
     /// that ends it.
     fn lowest_way(
         &self,
-        start: Cell,
         is_allowed: impl Fn(Cell) -> bool,
         is_end: impl Fn(Cell, f64) -> bool,
     ) -> Way {
         let height = |cell: Cell| self.hull.height_m(&self.down(cell));
+        let start = POSE;
         let start_m = height(start);
         let mut seen: HashMap<Cell, Seen> = HashMap::new();
         seen.insert(
@@ -191,7 +174,7 @@ impl<'h> Grid<'h> {
                 continue;
             }
             if is_end(cell, here.height_m) {
-                return Way::back(&seen, start, cell);
+                return Way::back(&seen, cell);
             }
             for next in self
                 .beside(cell)
@@ -231,10 +214,10 @@ struct Way {
 }
 
 impl Way {
-    fn back(seen: &HashMap<Cell, Seen>, start: Cell, end: Cell) -> Self {
+    fn back(seen: &HashMap<Cell, Seen>, end: Cell) -> Self {
         let mut cells = vec![(end, seen[&end].height_m)];
         let mut cell = end;
-        while cell != start {
+        while cell != POSE {
             cell = seen[&cell].before;
             cells.push((cell, seen[&cell].height_m));
         }
@@ -242,11 +225,12 @@ impl Way {
         Self { cells }
     }
 
-    /// The place of its highest cell.
-    fn highest(&self) -> usize {
-        let all = self.cells.iter().enumerate();
-        all.max_by(|a, b| a.1.1.total_cmp(&b.1.1))
-            .map_or(0, |(at, _)| at)
+    /// Its highest cell.
+    fn highest(&self) -> (Cell, f64) {
+        let cells = self.cells.iter().copied();
+        cells
+            .reduce(|most, one| if one.1 > most.1 { one } else { most })
+            .unwrap_or((POSE, 0.0))
     }
 }
 

@@ -50,6 +50,12 @@ pub enum HullError {
     /// The mass is not above 0, or the moments of inertia are not those of a body.
     #[error("the mass or the moments of inertia are not those of a body")]
     Mass,
+    /// How it touches the floor is not valid.
+    #[error("friction must be at least 0, damping and sinking of the contacts above 0")]
+    Contact,
+    /// The components of the motion differ.
+    #[error("the components of the motion must have the same step and length")]
+    Motion,
     /// It cannot stand as it was given.
     #[error("the body cannot stand: its nearest stable pose is {tilt_deg:.0} degrees away")]
     NoPose {
@@ -76,8 +82,15 @@ impl Hull {
             return Err(HullError::Invalid);
         }
         let hull = Self { vertices_m, faces };
-        // A sliver of a face has no direction, and says nothing.
-        if hull.planes().any(|(_, distance_m)| distance_m <= 0.0) {
+        let size_m2 = hull
+            .vertices_m
+            .iter()
+            .map(|vertex| dot(vertex, vertex))
+            .fold(0.0, f64::max);
+        if hull
+            .planes(1e-9 * size_m2)
+            .any(|distance_m| distance_m <= 0.0)
+        {
             return Err(HullError::Outside);
         }
         Ok(hull)
@@ -98,12 +111,14 @@ impl Hull {
         face.map(|one| self.vertices_m[one])
     }
 
-    /// The outward normal of every face that has an area, and its distance from the centre of gravity.
-    fn planes(&self) -> impl Iterator<Item = (Vector, f64)> {
-        self.faces.iter().filter_map(|face| {
+    /// The distance of every face from the centre of gravity; a sliver of a face has no direction, and says
+    /// nothing.
+    fn planes(&self, least_area_m2: f64) -> impl Iterator<Item = f64> {
+        self.faces.iter().filter_map(move |face| {
             let corners = self.corners(face);
-            let normal = unit(&normal_of(&corners))?;
-            Some((normal, dot(&normal, &corners[0])))
+            let normal = normal_of(&corners);
+            let is_sliver = dot(&normal, &normal).sqrt() <= least_area_m2;
+            Some(dot(&unit(&normal)?, &corners[0])).filter(|_| !is_sliver)
         })
     }
 
@@ -130,12 +145,6 @@ fn unit(vector: &Vector) -> Option<Vector> {
     (size > 0.0).then(|| vector.map(|x| x / size))
 }
 
-/// The direction that is down in the axes of a body tilted towards `toward_rad` (0: +x, π/2: +y).
-pub fn down(tilt_rad: f64, toward_rad: f64) -> Vector {
-    let (sin, cos) = tilt_rad.sin_cos();
-    [sin * toward_rad.cos(), sin * toward_rad.sin(), -cos]
-}
-
 /// Tilt and direction of a body in which this direction is down \[rad\].
 pub fn tilt_of(down: &Vector) -> (f64, f64) {
     let tilt_rad = down[0].hypot(down[1]).atan2(-down[2]);
@@ -160,15 +169,21 @@ impl HullBody {
     /// A mass that is not above 0, or moments of inertia of no body: each must be above 0 and at most the
     /// sum of the two others.
     pub fn new(mass_kg: f64, inertia_kg_m2: [Vector; 3], hull: Hull) -> Result<Self, HullError> {
-        let moments = [0, 1, 2].map(|axis| inertia_kg_m2[axis][axis]);
+        let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = inertia_kg_m2;
+        let moments = [xx, yy, zz];
         let sum: f64 = moments.iter().sum();
         let determinant = dot(
             &inertia_kg_m2[0],
             &cross(&inertia_kg_m2[1], &inertia_kg_m2[2]),
         );
+        let is_symmetric = [(xy, yx), (xz, zx), (yz, zy)]
+            .iter()
+            .all(|(a, b)| (a - b).abs() <= 1e-9 * sum);
+        let has_minors = xx * yy > xy * xy && yy * zz > yz * yz && xx * zz > xz * xz;
         // A rounding error of a thin plate is allowed.
         let is_moment = |one: &f64| *one > 0.0 && *one <= 0.5 * sum * (1.0 + 1e-9);
-        let is_body = mass_kg > 0.0 && mass_kg.is_finite() && determinant > 0.0;
+        let is_body =
+            mass_kg > 0.0 && mass_kg.is_finite() && is_symmetric && has_minors && determinant > 0.0;
         if !is_body || !moments.iter().all(is_moment) {
             return Err(HullError::Mass);
         }

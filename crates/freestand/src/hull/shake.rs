@@ -6,15 +6,17 @@
 //! however many there are; c_n = 2ζ√(k_n m/3), k_t = 0.7 k_n, c_t = 1.4ζ√(k_t m/3).
 //!
 //! # Accuracy
-//! Velocities are stepped before positions, at most 0.1 ms at once: 1/50 of a radian of the vibration of
-//! the weight on three contacts. A single history of a body that rocks in space is one realisation: a
+//! Velocities are stepped before positions, at most 0.1 ms at once: 1/32 of a radian of the vibration of
+//! the weight on three contacts that sink 0.1 mm. Many points at once are stiffer and more damped than three:
+//! the step is then shorter. A single history of a body that rocks in space is one realisation: a
 //! change of the direction by 0.01° changes the outcome of 1 to 5 of 100 motions. Shares over many
 //! histories are what can be compared.
 
 use pulp::Arch;
 
 use super::poses::StablePose;
-use super::{HullBody, Vector};
+use super::{HullBody, HullError, Vector};
+use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
 use crate::space::{Shift, Turn, cross, dot, shift, turned, turned_back, turning};
 use crate::spatial::SpatialMotion;
@@ -47,23 +49,20 @@ pub const OVERTURNED_RAD: f64 = std::f64::consts::PI / 3.0;
 /// Points whose heights are calculated at once.
 const LANES: usize = 8;
 
-/// Far above a body \[m\].
-const FAR_M: f64 = 1e9;
-
 /// The longest step \[s\].
 const STEP_S: f64 = 1e-4;
 
 /// A body settles for at most this time before it is shaken \[s\].
-const SETTLING_S: f64 = 5.0;
+const SETTLING_S: f64 = 30.0;
 
 /// It rests where it is slower than this for a fifth of a second \[m/s\]; before it is shaken, far slower.
 const RESTING_M_S: f64 = 1e-3;
 const SETTLED_M_S: f64 = 1e-5;
 const RESTING_S: f64 = 0.2;
 
-/// The share of its speed that a settling body keeps from step to step: it loses its vibration within
-/// some hundredths of a second.
-const SETTLING: f64 = 0.999;
+/// A settling body loses its speed at this rate \[1/s\]: enough to end its vibration, and little enough not to
+/// hold up what leans slowly.
+const SETTLING_1_S: f64 = 3.0;
 
 /// How a history on a hull ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -76,6 +75,8 @@ pub enum HullOutcome {
     Overturned,
     /// It did not come to rest.
     Unresolved,
+    /// It did not come to rest in its pose before the floor moved.
+    Unsettled,
 }
 
 impl HullOutcome {
@@ -112,11 +113,11 @@ impl HullBody {
     /// The body in one of its [stable poses](super::Hull::stable_poses); `None` where it has not so many.
     pub fn standing(&self, pose: usize) -> Option<Standing> {
         let poses = self.hull.stable_poses();
-        let down = poses.get(pose)?.down;
+        let chosen = poses.get(pose)?;
         Some(Standing {
             mass_kg: self.mass_kg,
             inertia_kg_m2: self.inertia_kg_m2,
-            points_m: self.hull.contact_points_m(&down),
+            points_m: self.hull.contact_points_m(chosen),
             poses,
             pose,
         })
@@ -127,6 +128,14 @@ impl Standing {
     /// The points on which it is followed \[m\].
     pub fn points_m(&self) -> &[Vector] {
         &self.points_m
+    }
+
+    /// The points that carry it at rest, for the length of a step.
+    fn carried_by(&self, sinking_m: f64) -> usize {
+        let pose = self.pose();
+        let reach_m = pose.cg_height_m - 3.0 * sinking_m;
+        let is_low = |point: &&Vector| dot(point, &pose.down) > reach_m;
+        self.points_m.iter().filter(is_low).count().max(3)
     }
 
     /// The pose.
@@ -202,6 +211,8 @@ struct Stepper<'b> {
     tangential_n_s_m: f64,
     friction_ratio: f64,
     gravity_m_s2: f64,
+    /// The longest step \[s\].
+    longest_s: f64,
     place_m: Vector,
     velocity_m_s: Vector,
     turn: Turn,
@@ -219,10 +230,16 @@ impl<'b> Stepper<'b> {
             ratio * contact.damping_ratio * (stiffness_n_m * body.mass_kg / 3.0).sqrt()
         };
         let turn = upright(&body.pose().down, yaw_rad);
-        // What is missing in the last lanes is far above the body.
-        let above = body.pose().down.map(|x| -FAR_M * x);
+        let normal_n_s_m = damping(2.0, normal_n_m);
+        // All points at rest together are this stiff and damped, over the mass.
+        let points = body.carried_by(contact.sinking_m) as f64;
+        let fast_rad_s = (points * normal_n_m / body.mass_kg).sqrt();
+        let damped_1_s = points * normal_n_s_m / body.mass_kg;
+        let longest_s = STEP_S.min(0.2 / fast_rad_s).min(0.5 / damped_1_s);
+        // The last lanes have no point of their own; what stands there is not looked at.
+        let none = [0.0; 3];
         let lanes = body.points_m.chunks(LANES).map(|points| {
-            let at = |lane: usize| points.get(lane).unwrap_or(&above);
+            let at = |lane: usize| points.get(lane).unwrap_or(&none);
             [0, 1, 2].map(|axis| std::array::from_fn(|lane| at(lane)[axis]))
         });
         let coordinates: Vec<[[f64; LANES]; 3]> = lanes.collect();
@@ -234,11 +251,12 @@ impl<'b> Stepper<'b> {
             stretches_m: vec![[0.0; 2]; body.points_m.len()],
             inverse: inverse(&body.inertia_kg_m2),
             normal_n_m,
-            normal_n_s_m: damping(2.0, normal_n_m),
+            normal_n_s_m,
             tangential_n_m,
             tangential_n_s_m: damping(1.4, tangential_n_m),
             friction_ratio: contact.friction_ratio,
             gravity_m_s2,
+            longest_s,
             place_m: [0.0, 0.0, body.pose().cg_height_m],
             velocity_m_s: [0.0; 3],
             shift: shift(&turn),
@@ -311,7 +329,9 @@ impl<'b> Stepper<'b> {
             }
             if is_below {
                 let below = (0..LANES).filter(|lane| heights_m[*lane] < 0.0);
-                self.touching.extend(below.map(|lane| LANES * group + lane));
+                let points = below.map(|lane| LANES * group + lane);
+                let is_point = |point: &usize| *point < self.body.points_m.len();
+                self.touching.extend(points.filter(is_point));
             }
         }
         // Who has left the floor begins anew.
@@ -354,38 +374,63 @@ impl<'b> Stepper<'b> {
         size(&self.velocity_m_s) + self.body.pose().cg_height_m * size(&self.omega_rad_s)
     }
 
-    /// Lets it settle on its contacts.
-    fn settle(&mut self) {
+    /// Lets it settle on its contacts. Whether it rests, in its pose.
+    fn settle(&mut self) -> bool {
         let mut rested = 0;
-        for _ in 0..steps(SETTLING_S) {
-            self.step(&[0.0; 3], STEP_S);
-            self.velocity_m_s = self.velocity_m_s.map(|v| SETTLING * v);
-            self.omega_rad_s = self.omega_rad_s.map(|v| SETTLING * v);
+        let needed = self.steps(RESTING_S);
+        let kept = 1.0 - SETTLING_1_S * self.longest_s;
+        for _ in 0..self.steps(SETTLING_S) {
+            self.step(&[0.0; 3], self.longest_s);
+            self.velocity_m_s = self.velocity_m_s.map(|v| kept * v);
+            self.omega_rad_s = self.omega_rad_s.map(|v| kept * v);
             let is_slow = self.speed_m_s() < SETTLED_M_S;
             rested = if is_slow { rested + 1 } else { 0 };
-            if rested > steps(RESTING_S) {
+            if rested > needed {
                 break;
             }
         }
         (self.velocity_m_s, self.omega_rad_s) = ([0.0; 3], [0.0; 3]);
+        rested > needed && self.body.nearest(&self.down()) == self.body.pose
     }
-}
 
-fn steps(duration_s: f64) -> usize {
-    (duration_s / STEP_S) as usize
+    fn steps(&self, duration_s: f64) -> usize {
+        (duration_s / self.longest_s) as usize
+    }
 }
 
 /// A body under a motion of the floor, turned by `yaw_rad` about the vertical, until it rests or lies; at
 /// most [`LONGEST_TAIL_S`] after the last sample.
+///
+/// # Errors
+/// A contact without stiffness, damping or with negative friction; components of a motion that differ in
+/// step or length.
 pub fn shake(
     body: &Standing,
     contact: &Contact,
     yaw_rad: f64,
     motion: &SpatialMotion,
     gravity_m_s2: f64,
-) -> HullRocking {
+) -> Result<HullRocking, HullError> {
+    let Contact {
+        friction_ratio,
+        damping_ratio,
+        sinking_m,
+    } = *contact;
+    let is_positive = |x: f64| x > 0.0 && x.is_finite();
+    if !(friction_ratio >= 0.0 && is_positive(damping_ratio) && is_positive(sinking_m)) {
+        return Err(HullError::Contact);
+    }
+    let given = [motion.x, motion.y, motion.vertical];
+    let mut all = given.into_iter().flatten();
+    let first = all.next();
+    let is_same = |one: &Motion, other: &Motion| {
+        one.dt_s() == other.dt_s() && one.accel_m_s2().len() == other.accel_m_s2().len()
+    };
+    if first.is_some_and(|first| all.any(|one| !is_same(one, first))) {
+        return Err(HullError::Motion);
+    }
     // The same operations in the same order, in the vectors that the processor has.
-    Arch::new().dispatch(|| follow(body, contact, yaw_rad, motion, gravity_m_s2))
+    Ok(Arch::new().dispatch(|| follow(body, contact, yaw_rad, given, gravity_m_s2)))
 }
 
 #[inline(always)]
@@ -393,11 +438,11 @@ fn follow(
     body: &Standing,
     contact: &Contact,
     yaw_rad: f64,
-    motion: &SpatialMotion,
+    given: [Option<&Motion>; 3],
     gravity_m_s2: f64,
 ) -> HullRocking {
     let mut stepper = Stepper::new(body, contact, yaw_rad, gravity_m_s2);
-    stepper.settle();
+    let is_settled = stepper.settle();
     let (place_m, rest_down) = (stepper.place_m, stepper.down());
     let fallen = OVERTURNED_RAD.cos();
     let mut least_cos = 1.0_f64;
@@ -408,10 +453,12 @@ fn follow(
         moved_m: [0, 1].map(|i| stepper.place_m[i] - place_m[i]),
         end_s,
     };
-    let given = [motion.x, motion.y, motion.vertical];
+    if !is_settled {
+        return ended(&stepper, HullOutcome::Unsettled, least_cos, end_s);
+    }
     let first = given.into_iter().flatten().next();
     let (samples, dt_s) = first.map_or((0, STEP_S), |one| (one.accel_m_s2().len(), one.dt_s()));
-    let per_sample = (dt_s / STEP_S).ceil().max(1.0) as usize;
+    let per_sample = (dt_s / stepper.longest_s).ceil().max(1.0) as usize;
     let step_s = dt_s / per_sample as f64;
     let at = |axis: usize, sample: usize| {
         given[axis].map_or(0.0, |one| {
@@ -425,25 +472,28 @@ fn follow(
             let floor = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
             stepper.step(&floor, step_s);
             least_cos = least_cos.min(dot(&stepper.down(), &rest_down));
+            if least_cos < fallen {
+                end_s += (sub + 1) as f64 * step_s;
+                return ended(&stepper, HullOutcome::Overturned, least_cos, end_s);
+            }
         }
         end_s = (sample + 1) as f64 * dt_s;
-        if least_cos < fallen {
-            return ended(&stepper, HullOutcome::Overturned, least_cos, end_s);
-        }
     }
     let mut rested = 0;
-    for _ in 0..steps(LONGEST_TAIL_S) {
-        stepper.step(&[0.0; 3], STEP_S);
-        end_s += STEP_S;
+    let needed = stepper.steps(RESTING_S);
+    let tail_s = stepper.longest_s;
+    for _ in 0..stepper.steps(LONGEST_TAIL_S) {
+        stepper.step(&[0.0; 3], tail_s);
+        end_s += tail_s;
         least_cos = least_cos.min(dot(&stepper.down(), &rest_down));
         if least_cos < fallen {
             return ended(&stepper, HullOutcome::Overturned, least_cos, end_s);
         }
         let is_slow = stepper.speed_m_s() < RESTING_M_S;
         rested = if is_slow { rested + 1 } else { 0 };
-        if rested > steps(RESTING_S) {
+        if rested > needed {
             let outcome = match body.nearest(&stepper.down()) {
-                pose if pose == body.nearest(&rest_down) => HullOutcome::Stood,
+                pose if pose == body.pose => HullOutcome::Stood,
                 pose => HullOutcome::Shifted(pose),
             };
             return ended(&stepper, outcome, least_cos, end_s);

@@ -1,7 +1,17 @@
 use super::*;
 use crate::motion::Motion;
 use crate::spatial::SpatialMotion;
-use shake::{Contact, HullOutcome, shake};
+use shake::{Contact, HullOutcome};
+
+fn shake(
+    body: &shake::Standing,
+    contact: &Contact,
+    yaw_rad: f64,
+    motion: &SpatialMotion,
+    gravity_m_s2: f64,
+) -> shake::HullRocking {
+    shake::shake(body, contact, yaw_rad, motion, gravity_m_s2).unwrap()
+}
 
 /// A uniform box of these sizes with its centre of gravity off the middle, and its moments of inertia as
 /// if it were in the middle.
@@ -82,7 +92,7 @@ fn the_barrier_of_a_box_is_its_edge() {
     assert!((barrier.tilt_rad - edge_rad).abs() < 0.0125_f64.to_radians());
     assert!(barrier.toward_rad.abs() < 0.01, "{barrier:?}");
     // Four corners carry it for every tilt.
-    let points = body.hull.contact_points_m(&[0.0, 0.0, -1.0]);
+    let points = body.hull.contact_points_m(&body.hull.standing().unwrap());
     assert_eq!(points.len(), 4);
     assert!(points.iter().all(|point| point[2] == -0.5));
 }
@@ -189,4 +199,95 @@ fn what_is_no_body_is_refused() {
     }
     let needle = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.5]];
     assert_eq!(HullBody::new(1.0, needle, cube.hull), Err(HullError::Mass));
+}
+
+/// Boxes of any size, turned anyhow: rounding loses no pose, and none is counted twice.
+#[test]
+fn a_turned_box_stands_on_six_sides() {
+    let mut state = 1_u64;
+    let mut random = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    for _ in 0..500 {
+        let sizes_m = [0.3 + random(), 0.3 + random(), 0.3 + random()];
+        let body = cuboid(sizes_m, [0.0; 3]);
+        let axis = [random() - 0.5, random() - 0.5, random() - 0.5];
+        let half = 3.0 * random();
+        let size = dot(&axis, &axis).sqrt();
+        let [x, y, z] = axis.map(|one| half.sin() * one / size);
+        let shift = crate::space::shift(&[half.cos(), x, y, z]);
+        let turned = |vertex: &Vector| crate::space::turned(&shift, vertex);
+        let vertices = body.hull.vertices_m().iter().map(turned).collect();
+        let hull = Hull::new(vertices, body.hull.faces().to_vec()).unwrap();
+        let poses = hull.stable_poses();
+        assert_eq!(poses.len(), 6, "{sizes_m:?} {axis:?} {half}");
+        for pose in poses {
+            let is_half = |size: &f64| (0.5 * size - pose.cg_height_m).abs() < 1e-12;
+            assert!(sizes_m.iter().any(is_half), "{sizes_m:?} {pose:?}");
+        }
+    }
+}
+
+/// Its edge may lie between two directions of the grid: the pass is still that of the edge.
+#[test]
+fn the_barrier_of_a_turned_box_is_its_edge() {
+    for yaw in [0.1_f64, 0.3, 0.7] {
+        let body = cuboid([0.5, 0.8, 1.0], [0.0; 3]);
+        let shift = crate::space::shift(&[(0.5 * yaw).cos(), 0.0, 0.0, (0.5 * yaw).sin()]);
+        let turned = |vertex: &Vector| crate::space::turned(&shift, vertex);
+        let vertices = body.hull.vertices_m().iter().map(turned).collect();
+        let hull = Hull::new(vertices, body.hull.faces().to_vec()).unwrap();
+        let barrier = hull.barrier(&hull.standing().unwrap());
+        let expected = 0.5_f64.hypot(0.25) - 0.5;
+        // The nearest direction is up to 1/32 degree away from that of the edge: the corner at 0.4 m beside
+        // it is then higher by 0.4 m × sin 27° × 0.0005.
+        assert!(barrier.rise_m >= expected - 1e-6, "{barrier:?}");
+        assert!(barrier.rise_m < expected + 1.1e-4, "{barrier:?} {expected}");
+    }
+}
+
+/// A body whose contacts would shake it, or whose motion has two lengths, is refused; one that cannot rest
+/// in its pose says so.
+#[test]
+fn what_cannot_be_followed_is_said() {
+    let body = cuboid([0.4, 0.6, 1.0], [0.0; 3]).standing(0).unwrap();
+    let still = SpatialMotion::default();
+    for sinking_m in [0.0, -1e-4, f64::NAN] {
+        let contact = Contact {
+            sinking_m,
+            ..Contact::default()
+        };
+        let refused = shake::shake(&body, &contact, 0.0, &still, 9.81);
+        assert_eq!(refused, Err(HullError::Contact));
+    }
+    let (long, short) = (ramp(1.0, 2.0), ramp(1.0, 1.0));
+    let both = SpatialMotion {
+        x: Some(&long),
+        y: Some(&short),
+        vertical: None,
+    };
+    let refused = shake::shake(&body, &Contact::default(), 0.0, &both, 9.81);
+    assert_eq!(refused, Err(HullError::Motion));
+    // Contacts that give way so far that a thin plate leans over.
+    let thin = cuboid([0.02, 0.6, 1.0], [0.002, 0.0, 0.0])
+        .standing(0)
+        .unwrap();
+    let found = shake(
+        &thin,
+        &Contact {
+            sinking_m: 1e-2,
+            ..Contact::default()
+        },
+        0.0,
+        &still,
+        9.81,
+    );
+    assert_eq!(found.outcome, HullOutcome::Unsettled);
+    // Samples so far apart that it passes 90° within one.
+    let coarse = Motion::new(0.5, vec![0.0, 30.0, 30.0, 30.0, -30.0]).unwrap();
+    let found = shake(&body, &Contact::default(), 0.0, &along_x(&coarse), 9.81);
+    assert_eq!(found.outcome, HullOutcome::Overturned);
 }
