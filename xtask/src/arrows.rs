@@ -107,6 +107,7 @@ const SHELL: &[&str] = &[
     "freestand-input",
     "freestand-output",
     "freestand-records",
+    "freestand-scan",
     "freestand-study",
     "freestand-inventory",
     "freestand-assess",
