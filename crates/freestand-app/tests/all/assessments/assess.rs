@@ -579,7 +579,7 @@ fn missing_data_is_no_verdict() {
         why["no-tolerance"]
     );
     assert!(
-        why["no-height"].contains("because the height was not given"),
+        why["no-height"].contains("because its height was not given"),
         "{}",
         why["no-height"]
     );
