@@ -73,6 +73,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "freestand-input",
             "freestand-output",
             "freestand-records",
+            "freestand-scan",
             "freestand-study",
             "freestand-inventory",
             "freestand-assess",

@@ -41,13 +41,21 @@ request! {
 
 /// Height and thickness of an object \[m\]; `None` if one is missing or wrong.
 pub(crate) fn sizes(read: &mut WordReader<'_>) -> Option<(f64, f64)> {
-    for key in ["height", "thickness"] {
-        let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
-        read.require(key, format!("`{key}` is missing"), hint);
-    }
-    let height = read.positive("height", Dimension::Length);
-    let thickness = read.positive("thickness", Dimension::Length);
+    let height = height(read);
+    let thickness = length(read, "thickness");
     height.zip(thickness)
+}
+
+/// Height of an object \[m\]; `None` if it is missing or wrong.
+pub(crate) fn height(read: &mut WordReader<'_>) -> Option<f64> {
+    length(read, "height")
+}
+
+/// A size that an object must have \[m\]; `None` if it is missing or wrong.
+pub(crate) fn length(read: &mut WordReader<'_>, key: &'static str) -> Option<f64> {
+    let hint = format!("give the size of the object, such as `{key} = \"600 mm\"`");
+    read.require(key, format!("`{key}` is missing"), hint);
+    read.positive(key, Dimension::Length)
 }
 
 /// A point of the object \[m\].

@@ -132,7 +132,7 @@ fn with_its_file(words: Words, files: &Files) -> Result<Words, Problems> {
     {
         Content::At(path) => read_cushion_file(&path)?.0,
         Content::Text(text) => pad_words(&text, Path::new(name))?,
-        Content::Motion(_) => return Ok(words),
+        Content::Motion(_) | Content::Mesh(_) => return Ok(words),
     };
     Ok(with_file(&words, file)?)
 }

@@ -1,10 +1,13 @@
 //! Where the files that a request names come from.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
+use freestand_scan::formats::read_mesh;
+use freestand_scan::mesh::Mesh;
 use freestand_study::recorded::ReadMotion;
 
 /// Where the files that a request names come from.
@@ -35,6 +38,8 @@ pub enum Content {
     Motion(Box<ReadMotion>),
     /// The text of a file in memory.
     Text(String),
+    /// A mesh in memory.
+    Mesh(Arc<Mesh>),
 }
 
 impl Files {
@@ -62,6 +67,18 @@ impl Files {
         self.path(&name?.text()).ok()
     }
 
+    /// The mesh that a request calls by this name.
+    ///
+    /// # Errors
+    /// As [`Files::path`]; a file that holds no mesh.
+    pub(crate) fn mesh(&self, name: &str) -> Result<Arc<Mesh>, Problem> {
+        match self.find(name)? {
+            Content::Mesh(mesh) => Ok(mesh),
+            Content::At(path) => Ok(Arc::new(read_mesh(&path)?.1)),
+            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
+        }
+    }
+
     /// The path of a file that a request calls by this name.
     ///
     /// # Errors
@@ -69,7 +86,7 @@ impl Files {
     pub fn path(&self, name: &str) -> Result<PathBuf, Problem> {
         match self.find(name)? {
             Content::At(path) => Ok(path),
-            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
+            Content::Motion(_) | Content::Text(_) | Content::Mesh(_) => Err(not_sent(name)),
         }
     }
 }

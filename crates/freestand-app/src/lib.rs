@@ -39,6 +39,7 @@ pub mod validate;
 pub mod virtual_test;
 
 mod block;
+mod body;
 mod cells;
 mod cushion;
 mod hazard;

@@ -458,7 +458,9 @@ impl NamedRecords<'_> {
             match problems.keep_named(key, self.files.find(name)) {
                 Some(Content::Motion(motion)) => read.push(*motion),
                 Some(Content::At(path)) => paths.push(path),
-                Some(Content::Text(_)) => problems.push(not_sent(name).named(key)),
+                Some(Content::Text(_) | Content::Mesh(_)) => {
+                    problems.push(not_sent(name).named(key))
+                }
                 None => {}
             }
         }

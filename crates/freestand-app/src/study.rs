@@ -23,6 +23,6 @@ fn found(name: &str, files: &Files) -> Result<StudySource, Problem> {
     match files.find(name)? {
         Content::At(path) => Ok(StudySource::File(path)),
         Content::Text(text) => Ok(StudySource::Text(text)),
-        Content::Motion(_) => Err(not_sent(name)),
+        Content::Motion(_) | Content::Mesh(_) => Err(not_sent(name)),
     }
 }

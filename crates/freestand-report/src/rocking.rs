@@ -24,14 +24,37 @@ const SLIDING: [Column; 6] = [
     ("clearance_speed_m_s", "at the clearance [m/s]", 4),
 ];
 
+/// The table of several motions of a body on its hull.
+const HULL: [Column; 4] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("peak_tilt_rad", "tilt [rad]", 4),
+    ("peak_tilt_ratio", "of that of tipping", 3),
+];
+
+/// How an object that is followed under several motions moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Moves {
+    /// It rocks.
+    Rocks,
+    /// It slides or rolls.
+    Slides,
+    /// It is a body on its hull.
+    OnHull,
+}
+
 /// One row for each motion, with what the object did under it.
 pub fn followed_text<'a>(
     each: impl IntoIterator<Item = (&'a str, Facts<'a>)>,
-    slides: bool,
+    moves: Moves,
 ) -> String {
     let row = |(motion, facts): (&'a str, Facts<'a>)| {
         Facts::default().key("motion", motion.to_owned()).and(facts)
     };
-    let columns = if slides { &SLIDING } else { &ROCKING };
+    let columns: &[Column] = match moves {
+        Moves::Rocks => &ROCKING,
+        Moves::Slides => &SLIDING,
+        Moves::OnHull => &HULL,
+    };
     facts_table(each.into_iter().map(row), columns)
 }

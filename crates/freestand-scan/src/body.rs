@@ -1,6 +1,6 @@
 //! What a mesh weighs, where its centre of gravity is, and its hull.
 
-use freestand::hull::{Hull, HullBody};
+use freestand::hull::{Hull, HullBody, HullError};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use parry3d_f64::mass_properties::MassProperties;
@@ -22,14 +22,26 @@ pub enum Leaking {
     UseHull,
 }
 
-/// A uniform body in the shape of a mesh.
+/// What is known of the side on which a scanned object stands, which the scanner rarely saw.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ScannedBody {
+pub enum Underside {
+    /// It was scanned.
+    Measured,
+    /// It is flat: what is this near to the lowest point \[m\] is on the floor.
+    Flat(f64),
+    /// It stands on these points \[m\], x and y in the axes of the scan; they take the place of what is this
+    /// near to the lowest point \[m\].
+    Feet(Vec<[f64; 2]>, f64),
+}
+
+/// A uniform body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Solid {
     /// The body, about its centre of gravity.
     pub body: HullBody,
     /// Its volume \[m³\].
     pub volume_m3: f64,
-    /// Its centre of gravity in the axes of the scan \[m\].
+    /// Its centre of gravity in the axes in which it was given \[m\].
     pub cg_m: [f64; 3],
     /// Whether its hull was used in place of its mesh, because that encloses no volume.
     pub is_hull: bool,
@@ -45,7 +57,8 @@ pub fn scanned_body(
     unit_m: f64,
     mass_kg: f64,
     leaking: Leaking,
-) -> Result<ScannedBody, Problem> {
+    underside: &Underside,
+) -> Result<Solid, Problem> {
     let [low, high] = mesh.extent();
     let size_m = [0, 1, 2]
         .map(|axis| unit_m * (high[axis] - low[axis]))
@@ -99,22 +112,65 @@ pub fn scanned_body(
     let volume_m3 = of.mass();
     let density = mass_kg / volume_m3;
     let moments = of.reconstruct_inertia_matrix().to_cols_array_2d();
-    let cg = of.local_com;
-    let vertices = hull.iter().map(|point| (*point - cg).to_array()).collect();
-    let faces = hull_faces
-        .iter()
-        .map(|face| face.map(|one| one as usize))
-        .collect();
-    let unfit = |error: freestand::hull::HullError| {
+    let cg_m = of.local_com.to_array();
+    let inertia_kg_m2 = moments.map(|row| row.map(|x| density * x));
+    let stood = match underside {
+        Underside::Measured => None,
+        Underside::Flat(within_m) => Some(flattened(&hull, *within_m)),
+        Underside::Feet(feet_m, within_m) => Some(on_feet(&hull, feet_m, *within_m)),
+    };
+    let hull = match stood {
+        None => Ok((hull, hull_faces)),
+        Some(points) => try_convex_hull(&points),
+    };
+    let unfit = |error: &dyn std::fmt::Display| {
         Problem::value(error.to_string(), "check the scan and the mass")
     };
-    let body = Hull::new(vertices, faces)
-        .and_then(|hull| HullBody::new(mass_kg, moments.map(|row| row.map(|x| density * x)), hull))
-        .map_err(unfit)?;
-    Ok(ScannedBody {
-        body,
+    let (hull, faces) = hull.map_err(|error| unfit(&error))?;
+    let hull = about(cg_m, &hull, &faces);
+    let body = hull.and_then(|hull| HullBody::new(mass_kg, inertia_kg_m2, hull));
+    Ok(Solid {
+        body: body.map_err(|error| unfit(&error))?,
         volume_m3,
-        cg_m: cg.to_array(),
+        cg_m,
         is_hull: !is_tight,
     })
+}
+
+/// A hull about a centre of gravity.
+pub(crate) fn about(
+    cg_m: [f64; 3],
+    points: &[Vector],
+    faces: &[[u32; 3]],
+) -> Result<Hull, HullError> {
+    let cg = Vector::from_array(cg_m);
+    let vertices = points.iter().map(|point| (*point - cg).to_array());
+    let faces = faces.iter().map(|face| face.map(|one| one as usize));
+    Hull::new(vertices.collect(), faces.collect())
+}
+
+fn lowest_m(points: &[Vector]) -> f64 {
+    points
+        .iter()
+        .map(|point| point.z)
+        .fold(f64::INFINITY, f64::min)
+}
+
+/// Points of which those near to the lowest are as low as it.
+fn flattened(points: &[Vector], within_m: f64) -> Vec<Vector> {
+    let low_m = lowest_m(points);
+    let is_low = |z: f64| z <= low_m + within_m;
+    let z_of = |z: f64| if is_low(z) { low_m } else { z };
+    points
+        .iter()
+        .map(|point| Vector::new(point.x, point.y, z_of(point.z)))
+        .collect()
+}
+
+/// Points with feet in place of those near to the lowest.
+fn on_feet(points: &[Vector], feet_m: &[[f64; 2]], within_m: f64) -> Vec<Vector> {
+    let low_m = lowest_m(points);
+    let rest = points.iter().filter(|point| point.z > low_m + within_m);
+    let feet = feet_m.iter().map(|[x, y]| Vector::new(*x, *y, low_m));
+    rest.copied().chain(feet).collect()
 }

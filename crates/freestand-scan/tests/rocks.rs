@@ -4,11 +4,11 @@
 
 use std::path::PathBuf;
 
-use freestand_scan::body::{Leaking, ScannedBody, scanned_body};
+use freestand_scan::body::{Leaking, Solid, Underside, scanned_body};
 use freestand_scan::formats::read_mesh;
 
 /// The scans; `None` where they are not at hand, which is said.
-fn rocks() -> Option<[ScannedBody; 2]> {
+fn rocks() -> Option<[Solid; 2]> {
     let shared = std::env::var_os("FREESTAND_SHARED").map_or_else(
         || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared"),
         PathBuf::from,
@@ -24,7 +24,7 @@ fn rocks() -> Option<[ScannedBody; 2]> {
     let rock = |name: &str, mass_kg| {
         let (_, mesh) = read_mesh(&folder.join(name)).unwrap();
         assert!(mesh.is_watertight(), "{name}");
-        scanned_body(&mesh, 1.0, mass_kg, Leaking::Refuse).unwrap()
+        scanned_body(&mesh, 1.0, mass_kg, Leaking::Refuse, &Underside::Measured).unwrap()
     };
     Some([rock("rock1.obj", 353.8), rock("rock2.obj", 353.5)])
 }

@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use freestand_scan::body::{Leaking, scanned_body};
+use freestand_scan::body::{Leaking, Underside, scanned_body};
 use freestand_scan::formats::parse_mesh;
 use freestand_scan::mesh::Mesh;
 
@@ -166,7 +166,7 @@ fn a_box_is_one_body_in_every_format() {
         let mesh = parse_mesh(&bytes).unwrap();
         assert_eq!((mesh.vertices.len(), mesh.faces.len()), (8, 12), "{format}");
         assert!(mesh.is_watertight(), "{format}");
-        let found = scanned_body(&mesh, 1e-3, 50.0, Leaking::Refuse).unwrap();
+        let found = scanned_body(&mesh, 1e-3, 50.0, Leaking::Refuse, &Underside::Measured).unwrap();
         // The numbers of the files are exact in single precision: what is left are rounding errors.
         assert!(
             (found.volume_m3 - 0.24).abs() < 1e-12,
@@ -207,16 +207,24 @@ fn a_mesh_with_a_hole_is_refused_or_its_hull_is_used() {
     let mut open = whole.clone();
     open.faces.pop();
     assert!(!open.is_watertight());
-    let refused = scanned_body(&open, 1e-3, 50.0, Leaking::Refuse).unwrap_err();
+    let refused =
+        scanned_body(&open, 1e-3, 50.0, Leaking::Refuse, &Underside::Measured).unwrap_err();
     assert!(refused.to_string().contains("has holes"), "{refused}");
-    let found = scanned_body(&open, 1e-3, 50.0, Leaking::UseHull).unwrap();
+    let found = scanned_body(&open, 1e-3, 50.0, Leaking::UseHull, &Underside::Measured).unwrap();
     assert!(found.is_hull && (found.volume_m3 - 0.24).abs() < 1e-12);
     // Turned inside out it encloses the same.
     let inside_out = Mesh {
         faces: whole.faces.iter().map(|[a, b, c]| [*a, *c, *b]).collect(),
         ..whole
     };
-    let found = scanned_body(&inside_out, 1e-3, 50.0, Leaking::Refuse).unwrap();
+    let found = scanned_body(
+        &inside_out,
+        1e-3,
+        50.0,
+        Leaking::Refuse,
+        &Underside::Measured,
+    )
+    .unwrap();
     assert!((found.volume_m3 - 0.24).abs() < 1e-12);
 }
 
@@ -224,7 +232,8 @@ fn a_mesh_with_a_hole_is_refused_or_its_hull_is_used() {
 fn what_is_no_object_is_refused() {
     let mesh = parse_mesh(&obj()).unwrap();
     for unit_m in [1.0, 1e-6] {
-        let refused = scanned_body(&mesh, unit_m, 50.0, Leaking::Refuse).unwrap_err();
+        let refused =
+            scanned_body(&mesh, unit_m, 50.0, Leaking::Refuse, &Underside::Measured).unwrap_err();
         assert!(
             refused.to_string().contains("which no object is"),
             "{refused}"
@@ -238,7 +247,7 @@ fn what_is_no_object_is_refused() {
             .collect(),
         faces: mesh.faces,
     };
-    assert!(scanned_body(&flat, 1e-3, 50.0, Leaking::UseHull).is_err());
+    assert!(scanned_body(&flat, 1e-3, 50.0, Leaking::UseHull, &Underside::Measured).is_err());
 }
 
 #[test]
@@ -335,7 +344,8 @@ fn two_objects_and_double_surfaces_are_refused() {
             .collect(),
     };
     assert_eq!((one.parts(), two.parts()), (1, 2));
-    let refused = scanned_body(&two, 1e-3, 50.0, Leaking::Refuse).unwrap_err();
+    let refused =
+        scanned_body(&two, 1e-3, 50.0, Leaking::Refuse, &Underside::Measured).unwrap_err();
     assert!(
         refused.to_string().contains("2 separate parts"),
         "{refused}"
@@ -344,6 +354,7 @@ fn two_objects_and_double_surfaces_are_refused() {
         faces: [one.faces.clone(), one.faces.clone()].concat(),
         ..one
     };
-    let refused = scanned_body(&twice, 1e-3, 50.0, Leaking::Refuse).unwrap_err();
+    let refused =
+        scanned_body(&twice, 1e-3, 50.0, Leaking::Refuse, &Underside::Measured).unwrap_err();
     assert!(refused.to_string().contains("there twice"), "{refused}");
 }

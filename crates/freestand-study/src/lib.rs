@@ -7,6 +7,7 @@ pub mod compliant;
 pub mod cushion;
 pub mod drawn;
 pub mod floor;
+pub mod hull;
 pub mod inspect;
 pub mod laboratory;
 pub mod law;

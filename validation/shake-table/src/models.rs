@@ -14,7 +14,7 @@ use freestand::signal::filter::{Pass, filtered};
 use freestand::spatial::SpatialMotion;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
-use freestand_scan::body::{Leaking, ScannedBody, scanned_body};
+use freestand_scan::body::{Leaking, Solid, Underside, scanned_body};
 use freestand_scan::formats::read_mesh;
 use rand::RngExt;
 use rand::SeedableRng;
@@ -53,7 +53,7 @@ const POINTS: usize = 10;
 
 /// A scanned rock and what follows from it.
 pub(crate) struct Rock {
-    scanned: ScannedBody,
+    scanned: Solid,
     standing: Standing,
     barrier: Barrier,
     /// Which motions of a plane along x: the levers of its edges by each reading of the base.
@@ -66,8 +66,14 @@ impl Rock {
     pub(crate) fn read(folder: &Path, number: usize) -> Result<Self, Problem> {
         let path = folder.join(format!("rock{number}.obj"));
         let (_, mesh) = read_mesh(&path)?;
-        let scanned = scanned_body(&mesh, 1.0, MASSES_KG[number - 1], Leaking::Refuse)
-            .map_err(|problem| problem.in_file(&path))?;
+        let scanned = scanned_body(
+            &mesh,
+            1.0,
+            MASSES_KG[number - 1],
+            Leaking::Refuse,
+            &Underside::Measured,
+        )
+        .map_err(|problem| problem.in_file(&path))?;
         let unfit = |error: &dyn std::fmt::Display| {
             Problem::value(error.to_string(), "check the scan").in_file(&path)
         };
@@ -139,7 +145,7 @@ impl Rock {
 }
 
 /// The points of the base, within 3 mm of the floor as it rests, from the centre of gravity \[m\].
-fn polygon(scanned: &ScannedBody, pose: &StablePose) -> Vec<[f64; 2]> {
+fn polygon(scanned: &Solid, pose: &StablePose) -> Vec<[f64; 2]> {
     let axes = pose.axes();
     let along = |vertex: &[f64; 3], axis: &[f64; 3]| -> f64 {
         vertex.iter().zip(axis).map(|(x, of)| x * of).sum()

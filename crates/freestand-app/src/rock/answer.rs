@@ -1,22 +1,26 @@
 //! The response: what an object did under each motion, as a document, a table and a figure.
 
 use freestand_input::problem::Problem;
-use freestand_output::answer::{Answer as _, may_be_absent, object};
+use freestand_output::answer::{Answer as _, Described as _, may_be_absent, object};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_report::figures::{
-    rock_figure, slide_figure, spatial_figure, stack_figure, trace_figure,
+    hull_figure, rock_figure, slide_figure, spatial_figure, stack_figure, trace_figure,
 };
 use freestand_study::compliant::{CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
+use freestand_study::hull::{
+    BodyAnswer, HullAnswer, HullReport, HullRequest, HullRun, rock_on_hull, spatial_point,
+};
 use freestand_study::rock::{RockAnswer, RockReport, RockRequest, rock};
 use freestand_study::sliding::{SlideAnswer, SlideReport, SlideRequest, slide};
 use freestand_study::spatial::{
     SpatialAnswer, SpatialReport, StackAnswer, StackReport, rock_in_space, rock_stacked,
 };
 use freestand_study::{compliant, rock, sliding, spatial};
+use rayon::prelude::*;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -36,6 +40,8 @@ pub enum Answer {
     InSpace(Box<SpatialAnswer>),
     /// A stack of two.
     Stack(Box<StackAnswer>),
+    /// A body on its hull, in three dimensions.
+    Hull(Box<HullAnswer>),
 }
 
 /// What the object did: under one motion, or under each of several.
@@ -49,6 +55,23 @@ pub enum Results {
         /// One result for each motion.
         results: Vec<OfMotion>,
     },
+    /// A body on its hull under each of several.
+    Rows {
+        /// The body.
+        body: Box<BodyAnswer>,
+        /// What it did under each.
+        rows: Vec<Row>,
+    },
+}
+
+/// What a body on its hull did under a motion.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// The motion.
+    pub motion: String,
+    /// What the body did.
+    #[serde(flatten)]
+    pub run: HullRun,
 }
 
 /// A result with the name of its motion.
@@ -66,17 +89,19 @@ impl Results {
     pub fn kinds() -> Vec<Value> {
         let strings = json!({"type": "array", "items": {"type": "string"}});
         let mut kinds = Answer::kinds().to_vec();
-        let motions: Vec<Value> = kinds
-            .iter()
-            .map(|kind| {
-                let mut properties =
-                    Map::from_iter([("motion".to_owned(), json!({"type": "string"}))]);
-                properties.extend(kind.clone());
-                object(properties)
-            })
-            .collect();
+        let of_motion = |kind: &Map<String, Value>| {
+            let mut properties = Map::from_iter([("motion".to_owned(), json!({"type": "string"}))]);
+            properties.extend(kind.clone());
+            object(properties)
+        };
+        let motions: Vec<Value> = kinds[..kinds.len() - 1].iter().map(of_motion).collect();
         let results = json!({"type": "array", "items": {"anyOf": motions}});
+        let rows = json!({"type": "array", "items": of_motion(&HullRun::properties())});
         kinds.push(Map::from_iter([("results".to_owned(), results)]));
+        kinds.push(Map::from_iter([
+            ("body".to_owned(), BodyAnswer::schema()),
+            ("rows".to_owned(), rows),
+        ]));
         for kind in &mut kinds {
             kind.insert("plots".to_owned(), may_be_absent(strings.clone()));
             kind.insert("processing".to_owned(), strings.clone());
@@ -86,6 +111,19 @@ impl Results {
 
     /// Results, each with the name of its motion.
     pub fn of(mut answers: Vec<(String, Answer)>) -> Self {
+        if let [(_, Answer::Hull(first)), _, ..] = &answers[..] {
+            let row = |(motion, answer): &(String, Answer)| match answer {
+                Answer::Hull(answer) => Some(Row {
+                    motion: motion.clone(),
+                    run: answer.run.clone(),
+                }),
+                _ => None,
+            };
+            return Self::Rows {
+                body: Box::new(first.body.clone()),
+                rows: answers.iter().filter_map(row).collect(),
+            };
+        }
         match answers.pop() {
             Some((_, answer)) if answers.is_empty() => Self::One(answer),
             last => Self::Each {
@@ -116,12 +154,31 @@ enum Done {
     OnPads(CompliantRequest, CompliantReport),
     InSpace(SpatialReport),
     Stack(StackReport),
+    Hull(HullRequest, HullReport),
 }
+
+/// Motions under which an object is followed at once; more would need memory for their histories.
+const AT_ONCE: usize = 32;
 
 impl Meant {
     /// The number of motions, and 1 without a motion.
     pub fn count(&self) -> usize {
         self.motions.horizontal.len().max(1)
+    }
+
+    /// Follows the object under each motion in turn, several at once; the order is that of the motions.
+    pub fn follow_each(
+        &self,
+        is_sampled: bool,
+    ) -> impl Iterator<Item = Result<Followed, Problem>> + '_ {
+        let count = self.count();
+        (0..count).step_by(AT_ONCE).flat_map(move |first| {
+            let some: Vec<_> = (first..count.min(first + AT_ONCE))
+                .into_par_iter()
+                .map(|index| self.follow(index, is_sampled))
+                .collect();
+            some
+        })
     }
 
     /// Follows the object under the motion of this number.
@@ -155,6 +212,10 @@ impl Meant {
             }
             Asked::InSpace(request) => Done::InSpace(rock_in_space(&request)?),
             Asked::Stack(request) => Done::Stack(rock_stacked(&request)?),
+            Asked::Hull(request) => {
+                let report = rock_on_hull(&request)?;
+                Done::Hull(request, report)
+            }
         };
         Ok(Followed { name, done })
     }
@@ -169,6 +230,7 @@ impl Followed {
             Done::OnPads(_, report) => Answer::OnPads(Box::new(report.answer.clone())),
             Done::InSpace(report) => Answer::InSpace(Box::new(report.answer.clone())),
             Done::Stack(report) => Answer::Stack(Box::new(report.answer.clone())),
+            Done::Hull(_, report) => Answer::Hull(Box::new(report.answer.clone())),
         }
     }
 
@@ -180,6 +242,7 @@ impl Followed {
             Done::OnPads(_, report) => &report.warnings,
             Done::InSpace(report) => &report.warnings,
             Done::Stack(report) => &report.warnings,
+            Done::Hull(_, report) => &report.warnings,
         }
     }
 
@@ -210,6 +273,12 @@ impl Followed {
             Done::Stack(report) => (
                 spatial::STACK_HISTORY,
                 rows(&report.history.samples, spatial::stack_row),
+            ),
+            Done::Hull(_, report) => (
+                spatial::SPATIAL_HISTORY,
+                rows(&report.history, |point| {
+                    spatial::spatial_row(&spatial_point(point))
+                }),
             ),
         };
         (head.to_owned(), rows)
@@ -243,6 +312,15 @@ impl Followed {
             Done::OnPads(_, report) => ("trace", Some(trace_figure(report)?)),
             Done::InSpace(report) => ("spatial", spatial_figure(name, report)?),
             Done::Stack(report) => ("stack", stack_figure(name, report)?),
+            Done::Hull(request, report) => (
+                "body",
+                hull_figure(
+                    name,
+                    &request.body,
+                    request.orientation_rad,
+                    &report.history,
+                )?,
+            ),
         };
         Ok(figure.map(|figure| (file, figure)))
     }
@@ -261,20 +339,21 @@ impl Followed {
                 &report.history,
                 request.horizontal.as_ref(),
             )),
-            Done::Slides(..) | Done::InSpace(_) | Done::Stack(_) => None,
+            Done::Slides(..) | Done::InSpace(_) | Done::Stack(_) | Done::Hull(..) => None,
         }
     }
 }
 
 impl Answer {
     /// The values of every kind of answer, each with its schema.
-    pub fn kinds() -> [Map<String, Value>; 5] {
+    pub fn kinds() -> [Map<String, Value>; 6] {
         [
             RockAnswer::properties(),
             SlideAnswer::properties(),
             PadAnswer::properties(),
             SpatialAnswer::properties(),
             StackAnswer::properties(),
+            HullAnswer::properties(),
         ]
     }
 
@@ -286,6 +365,7 @@ impl Answer {
             Self::OnPads(answer) => answer.facts(),
             Self::InSpace(answer) => answer.facts(),
             Self::Stack(answer) => answer.facts(),
+            Self::Hull(answer) => answer.facts(),
         }
     }
 }

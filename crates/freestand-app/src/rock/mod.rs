@@ -3,16 +3,15 @@
 mod answer;
 mod resolve;
 
-use freestand_input::words::Choices;
-use freestand_input::written::Written;
-use freestand_study::spatial::SHAPES;
-
 use crate::block::{GeneralBlock, Rocking};
+use crate::body::BodyShape;
 use crate::cushion::CushionUnder;
 use crate::records::{Records, VerticalRecords};
 use crate::request::{Switch, one_of, request};
 use crate::sliding::Sliding;
 use crate::walls::Walls;
+use freestand_input::words::Choices;
+use freestand_input::written::Written;
 
 pub use answer::{Answer, Followed, OfMotion, Results};
 pub use resolve::{Asked, Meant};
@@ -49,7 +48,7 @@ request! { question
         pub mass: Option<Written>,
         /// Coefficient of friction: on a rigid base, used for the warning about sliding [default: 0.5];
         /// with --sliding or --brakes, the friction at rest [default: 0.5]; on a compliant base, the
-        /// ratio at which the edges slip [default: no slip]
+        /// ratio at which the edges slip [default: no slip]; of a shape or a scan [default: 0.6]
         #[arg(long, value_name = "RATIO", help_heading = "The object")]
         pub friction: Option<Written>,
         /// What else is known of the object.
@@ -67,6 +66,9 @@ request! { question
         /// Whether it slides or stands on casters.
         #[command(flatten)]
         pub slides: Sliding,
+        /// Its shape.
+        #[command(flatten)]
+        pub shape: BodyShape,
         /// What it is in three dimensions.
         #[command(flatten)]
         pub space: Space,
@@ -146,22 +148,19 @@ request! {
 request! {
     /// An object in three dimensions.
     pub struct Space {
-        /// Horizontal size of the object across the thickness; with it the object moves in three
+        /// Horizontal size of the object across the thickness; with it an object on cushions moves in three
         /// dimensions, and --motion acts along the thickness
         #[arg(
             long,
             value_name = "LENGTH",
-            help_heading = "Three dimensions, on a compliant base"
+            help_heading = "Three dimensions"
         )]
         pub width: Option<Written>,
-        /// Shape of the object [default: prism]
-        #[arg(long, value_name = "SHAPE", value_parser = one_of(SHAPES), help_heading = "Three dimensions, on a compliant base")]
-        pub shape: Option<Written>,
         /// Record of the horizontal acceleration along the width, with the step and length of --motion
         #[arg(
             long,
             value_name = "FILE",
-            help_heading = "Three dimensions, on a compliant base"
+            help_heading = "Three dimensions"
         )]
         pub motion_y: Option<Written>,
         /// Two horizontal components of the file of --motion, along the thickness and along the width:
@@ -169,7 +168,7 @@ request! {
         #[arg(
             long,
             value_name = "both|NAME, NAME",
-            help_heading = "Three dimensions, on a compliant base"
+            help_heading = "Three dimensions"
         )]
         pub components: Option<Written>,
         /// How far the object is turned from the direction of --motion, anticlockwise from above
@@ -177,7 +176,7 @@ request! {
         #[arg(
             long,
             value_name = "ANGLE",
-            help_heading = "Three dimensions, on a compliant base"
+            help_heading = "Three dimensions"
         )]
         pub orientation: Option<Written>,
     }

@@ -14,18 +14,17 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::compliant::{CompliantRequest, Turned, start, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::hull::HullRequest;
 use freestand_study::recorded::Second;
 use freestand_study::rock::{RockRequest, until};
 use freestand_study::sliding::{Contact, SlideRequest, StopShock};
-use freestand_study::spatial::{
-    SHAPES, SpatialRequest, StackRequest, interface, shape, walls_on_cushions,
-};
+use freestand_study::spatial::{SpatialRequest, StackRequest, interface, shape, walls_on_cushions};
 
 use super::{BASES, BaseName, Rock};
 use crate::files::Files;
 use crate::records::{NamedRecords, ReadMotions, components};
 use crate::request::{Question, Request, unknown};
-use crate::{block, sliding, walls};
+use crate::{block, body, sliding, walls};
 
 /// What is asked, in SI.
 #[derive(Debug, Clone)]
@@ -49,6 +48,8 @@ pub enum Asked {
     InSpace(SpatialRequest),
     /// A stack of two.
     Stack(StackRequest),
+    /// A body on its hull, in three dimensions.
+    Hull(HullRequest),
 }
 
 /// What a request is about: its words choose it.
@@ -60,6 +61,7 @@ enum Kind {
     InSpace,
     AtWallOnPads,
     Stack,
+    Hull,
 }
 
 impl Kind {
@@ -72,6 +74,7 @@ impl Kind {
             Self::InSpace => "an object in three dimensions",
             Self::AtWallOnPads => "an object on cushions at a wall",
             Self::Stack => "a stack",
+            Self::Hull => "a shape or a scan in three dimensions",
         }
     }
 
@@ -86,7 +89,23 @@ impl Kind {
         let is_of_cushions =
             OF_CUSHIONS.contains(&key) || OF_SPACE.contains(&key) || OF_STACK.contains(&key);
         match key {
-            _ if is_of_cushions && !on_cushions => (
+            _ if body::KEYS.contains(&key) && on_cushions => (
+                only("a stiff floor"),
+                "leave it out, or leave `base` and the cushion out",
+            ),
+            _ if body::KEYS.contains(&key) && self == Self::Slides => (
+                only("an object that rocks"),
+                "leave it out, or leave `sliding` or `casters` out",
+            ),
+            _ if body::KEYS.contains(&key) && self == Self::Rigid => (
+                only("a shape or a scan in three dimensions"),
+                "add `shape` or `scan`, or leave it out",
+            ),
+            _ if OF_SPACE.contains(&key) && !on_cushions => (
+                only("an object in three dimensions"),
+                "add `shape` for a stiff floor or `base = \"compliant\"` for cushions, or leave it out",
+            ),
+            _ if is_of_cushions && !on_cushions && self != Self::Hull => (
                 only("a compliant base"),
                 "add `base = \"compliant\"`, or leave it out",
             ),
@@ -154,7 +173,7 @@ const OF_SLIDING: [&str; 8] = [
     "clearance_right",
     "stop_stiffness",
 ];
-const OF_SPACE: [&str; 5] = ["width", "shape", "motion_y", "components", "orientation"];
+const OF_SPACE: [&str; 4] = ["width", "motion_y", "components", "orientation"];
 const OF_STACK: [&str; 5] = [
     "upper_height",
     "upper_thickness",
@@ -185,6 +204,9 @@ impl Question for Rock {
         let across = self.space.motion_y.as_ref().map(Written::text);
         let mut motions = named.read(second, across.as_deref())?;
         motions.inputs.extend(self.pad.input(files));
+        motions
+            .inputs
+            .extend(files.path_of(self.shape.scan.as_ref()));
         motions.inputs.extend(self.records.inputs(files));
         Ok(Meant { asked, motions })
     }
@@ -212,27 +234,16 @@ fn judged<'f>(
     let named = request
         .records
         .named(&mut reader.read, &request.motion, vertical, files);
-    let object = reader.object();
     let is_still = named.is_none();
-    let (kind, asked) = match (kind, contact) {
-        (Kind::Slides, Some(contact)) => reader.slides(&object, contact, is_still),
-        (Kind::OnPads, _) => (kind, reader.on_pads(&object, is_still)),
-        (Kind::InSpace | Kind::AtWallOnPads, _) => (kind, reader.in_space(kind, &object, is_still)),
-        (Kind::Stack, _) => (kind, reader.stack(&object, is_still)),
-        _ => {
-            let block = reader.block(&object);
-            (kind, reader.rigid(&object, block, is_still))
-        }
+    let (kind, asked) = match kind {
+        Kind::Hull => (kind, reader.hull(is_still)),
+        _ => reader.on_its_edges(kind, contact, is_still),
     };
     let second = reader.second(kind);
     if named.count() > 1 {
         reader.of_several(kind);
     }
     let Reader { mut read, .. } = reader;
-    if object.settings.model == RockingModel::Linearised && kind != Kind::Rigid {
-        let (message, hint) = kind.refusal("model");
-        read.note(&["model"], message, hint);
-    }
     for key in read.unread() {
         let (message, hint) = kind.refusal(key);
         read.note(&[key], message, hint);
@@ -241,11 +252,74 @@ fn judged<'f>(
 }
 
 impl Reader<'_, '_> {
+    /// An object that stands on the edges of its base.
+    fn on_its_edges(
+        &mut self,
+        kind: Kind,
+        contact: Option<Contact>,
+        is_still: bool,
+    ) -> (Kind, Option<Asked>) {
+        let object = self.object(kind);
+        let (kind, asked) = match (kind, contact) {
+            (Kind::Slides, Some(contact)) => self.slides(&object, contact, is_still),
+            (Kind::OnPads, _) => (kind, self.on_pads(&object, is_still)),
+            (Kind::InSpace | Kind::AtWallOnPads, _) => {
+                (kind, self.in_space(kind, &object, is_still))
+            }
+            (Kind::Stack, _) => (kind, self.stack(&object, is_still)),
+            _ => {
+                let block = self.block(&object);
+                (kind, self.rigid(&object, block, is_still))
+            }
+        };
+        if object.settings.model == RockingModel::Linearised && kind != Kind::Rigid {
+            let (message, hint) = kind.refusal("model");
+            self.read.note(&["model"], message, hint);
+        }
+        (kind, asked)
+    }
+
+    /// A body on its hull.
+    fn hull(&mut self, is_still: bool) -> Option<Asked> {
+        let read = &mut self.read;
+        let mass_kg = read.positive("mass", Dimension::Mass);
+        let contact = body::contact(read);
+        let gravity_m_s2 = block::gravity(read);
+        let orientation = read.quantity("orientation", Dimension::Angle);
+        let body = if read.has("scan") {
+            read.exclusive("scan", "shape");
+            read.pass(&["shape"]);
+            body::scanned(read, mass_kg, self.files)
+        } else {
+            let is_wrong = read.has("shape");
+            let name = body::named(read);
+            match name {
+                None if is_wrong => None,
+                _ => body::shaped(read, name.unwrap_or(body::ShapeName::Box), mass_kg),
+            }
+        };
+        if is_still {
+            self.nothing_moves("give `motion`");
+        }
+        Some(Asked::Hull(HullRequest {
+            body: body?,
+            contact: contact?,
+            motions: [None, None],
+            vertical: None,
+            orientation_rad: orientation.unwrap_or(0.0),
+            gravity_m_s2,
+            is_sampled: false,
+        }))
+    }
+
     /// What the request is about.
     fn kind(&mut self) -> (Kind, Option<Contact>) {
         let is_compliant = self.read.choice("base", BASES) == Some(BaseName::Compliant);
         let has_any = |keys: &[&str]| keys.iter().any(|key| self.read.has(key));
-        let (in_space, stack) = (has_any(&OF_SPACE), has_any(&OF_STACK));
+        let (in_space, stack) = (
+            has_any(&OF_SPACE) || has_any(&["shape", "diameter"]),
+            has_any(&OF_STACK),
+        );
         let at_wall = has_any(&[
             "wall_gap_left",
             "wall_gap_right",
@@ -265,12 +339,22 @@ impl Reader<'_, '_> {
             let contact = sliding::contact(&mut self.read);
             return (Kind::Slides, contact);
         }
-        (Kind::Rigid, None)
+        match has_any(&["shape", "diameter", "feet", "scan"]) {
+            true => (Kind::Hull, None),
+            false => (Kind::Rigid, None),
+        }
     }
 
-    fn object(&mut self) -> Object {
+    fn object(&mut self, kind: Kind) -> Object {
         let read = &mut self.read;
-        let size = block::sizes(read);
+        let size = match kind {
+            Kind::InSpace if read.has("diameter") => {
+                read.exclusive("diameter", "thickness");
+                let height = block::height(read);
+                height.zip(read.positive("diameter", Dimension::Length))
+            }
+            _ => block::sizes(read),
+        };
         let mass_kg = read.positive("mass", Dimension::Mass);
         let accuracy = block::accuracy(read);
         let settings = Settings {
@@ -506,7 +590,7 @@ impl Reader<'_, '_> {
     fn in_space(&mut self, kind: Kind, object: &Object, is_still: bool) -> Option<Asked> {
         let start = self.release();
         let width = self.read.positive("width", Dimension::Length);
-        let named = self.read.choice("shape", SHAPES).unwrap_or_default();
+        let named = body::on_cushions(&mut self.read);
         let orientation = self.read.quantity("orientation", Dimension::Angle);
         if is_still && !self.read.has("duration") {
             self.nothing_moves("give `motion`, or `initial_rotation` with `duration`");
@@ -605,7 +689,7 @@ impl Reader<'_, '_> {
 
     /// Where the second horizontal component is.
     fn second(&mut self, kind: Kind) -> Second {
-        if kind != Kind::InSpace {
+        if !matches!(kind, Kind::InSpace | Kind::Hull) {
             return Second::None;
         }
         self.read.one("motion_y");
@@ -627,7 +711,7 @@ impl Reader<'_, '_> {
 
     /// What several motions exclude.
     fn of_several(&mut self, kind: Kind) {
-        if !matches!(kind, Kind::Rigid | Kind::Slides) {
+        if !matches!(kind, Kind::Rigid | Kind::Slides | Kind::Hull) {
             let message = format!("several motions do not apply to {}", kind.words());
             self.read.note(&["motion"], message, "name one motion");
         } else if self.read.has("vertical") {
@@ -686,6 +770,10 @@ impl Asked {
                 ..
             }) => {
                 (*motions, *vertical, how.is_sampled) = ([motion, across], upward, is_sampled);
+            }
+            Self::Hull(request) => {
+                (request.motions, request.vertical) = ([motion, across], upward);
+                request.is_sampled = is_sampled;
             }
         }
         asked

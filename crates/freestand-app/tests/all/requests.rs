@@ -70,6 +70,10 @@ fn good() -> Vec<Asked> {
         ("rock", with(json!({"width": "0.7 m", "duration": "1 s"}))),
         (
             "rock",
+            with(json!({"shape": "cylinder", "duration": "1 s"})),
+        ),
+        (
+            "rock",
             with(
                 json!({"upper_height": "0.5 m", "upper_thickness": "0.2 m", "upper_mass": "5 kg",
             "duration": "1 s"}),
@@ -335,6 +339,21 @@ fn of_programs() -> Vec<Asked> {
         json!({"height": 2, "thickness": 0.5, "base": "compliant", "mass": 100, "stiffness": 1e6, "width": 0.5,
             "motion": "/etc/passwd", "motion_y": "/etc/passwd", "vertical": ["/etc/passwd", "a"]}),
         json!({"height": 2, "thickness": 0.5, "initial_rotation": 0.1, "vertical": "a", "vertical_scale": 0}),
+        json!({"shape": "ball", "height": 2, "diameter": 0.5}),
+        json!({"shape": "sphere", "height": 2, "diameter": 0.5, "initial_rotation": 0.1}),
+        json!({"shape": "box", "height": 2, "diameter": 0.5, "contact_damping": 2, "contact_sinking": "20 mm"}),
+        json!({"shape": "polygon:2", "height": 2, "diameter": 0.5, "restitution": 0.9, "wall_gap_left": 0.1}),
+        json!({"shape": "polygon:8", "height": 2, "thickness": 0.5, "base": "compliant", "mass": 100, "stiffness": 1e6,
+            "scan_unit": "mm"}),
+        json!({"shape": "cylinder", "height": 2, "diameter": 0.5, "thickness": 0.5, "friction": -1, "stand_on": 0}),
+        json!({"shape": "cylinder", "height": 0.5, "thickness": 0.5, "sliding": true, "feet": "0.1 m, 0.1 m"}),
+        json!({"feet": "0.1 m; 0.2 m, 0.3 m", "height": 2, "thickness": 0.5, "width": 0.5}),
+        json!({"feet": "0.1 m, 0.1 m; 0.2 m, 0.3 m", "height": 2, "thickness": 0.5, "cg_height": 2.5}),
+        json!({"feet": "0.1 m, 0.1 m; 0.2 m, 0.3 m; 0.2 m, 0.1 m", "height": 2, "thickness": 0.5, "width": 0.5}),
+        json!({"height": 2, "thickness": 0.5, "width": 0.5, "contact_sinking": "0.1 mm", "initial_rotation": 0.1}),
+        json!({"scan": "/etc/passwd", "scan_unit": "mm", "stand_on": 2}),
+        json!({"scan": "", "scan_unit": "km", "scan_base": "round", "scan_error": -1, "scan_hull": "maybe"}),
+        json!({"scan": "a", "shape": "box", "height": 2, "scan_base": "measured", "feet": "0 m, 0 m"}),
     ];
     let others = [
         (

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA};
-use freestand_report::rocking::followed_text;
+use freestand_output::answer::Answer as _;
+use freestand_report::rocking::{Moves, followed_text};
 use freestand_report::table::lines;
 use freestand_study::drawn::DrawnHistory;
 use serde::Serialize;
@@ -84,8 +85,8 @@ impl Tell for Rock {
             output.history.is_some() || files.wanted() || target.is_some() || session.is_some();
         let (mut answers, mut plots) = (Vec::new(), Vec::new());
         let mut warnings = motions.warnings();
-        for index in 0..count {
-            let followed = meant.follow(index, is_sampled)?;
+        for (index, followed) in meant.follow_each(is_sampled).enumerate() {
+            let followed = followed?;
             let name = &followed.name;
             let file = match count {
                 1 => "history".to_owned(),
@@ -146,9 +147,17 @@ fn text(results: &Results) -> String {
         Results::One(answer) => lines(&answer.facts()),
         Results::Each { results } => {
             let first = results.first().map(|one| &one.answer);
-            let slides = matches!(first, Some(Answer::Slides(_)));
+            let moves = match first {
+                Some(Answer::Slides(_)) => Moves::Slides,
+                _ => Moves::Rocks,
+            };
             let each = results.iter();
-            followed_text(each.map(|one| (&*one.motion, one.answer.facts())), slides)
+            followed_text(each.map(|one| (&*one.motion, one.answer.facts())), moves)
+        }
+        Results::Rows { body, rows } => {
+            let each = rows.iter().map(|row| (&*row.motion, row.run.facts()));
+            let rows = followed_text(each, Moves::OnHull);
+            format!("{}\n\n{rows}", lines(&body.facts()))
         }
     }
 }

@@ -11,6 +11,7 @@
     reason = "a test may stop at what it cannot set up"
 )]
 
+mod bodies;
 mod cases;
 mod code_spectra;
 mod compliant;

@@ -38,5 +38,5 @@ pub use risk::risk_figure;
 pub use runs::{ida_figure, measures_figure, residuals_figure};
 pub use shock_spectrum::{boundary_figure, spectra_figure};
 pub use slide::slide_figure;
-pub use spatial::{spatial_figure, stack_figure};
+pub use spatial::{hull_figure, spatial_figure, stack_figure};
 pub use trace::trace_figure;

@@ -7,16 +7,18 @@ use kuva::render::plots::Plot;
 
 use freestand::spatial::{Pattern, Shape};
 
+use freestand::hull::shake::HullPoint;
 use freestand::respond::{SpatialPoint, StackPoint};
 
 use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
 use freestand_output::figure::style::{
-    Axis, DARK, LABELS_PX, curve_style, line, markers, plain, round_step,
+    Axis, DARK, GREY, LABELS_PX, curve_style, line, markers, plain, round_step,
 };
 use freestand_output::figure::time::{peak, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
+use freestand_study::hull::{BodyInPose, spatial_point};
 use freestand_study::shape::size_words;
 use freestand_study::spatial::{SpatialReport, StackReport};
 
@@ -58,7 +60,118 @@ fn degrees<P>(
 /// # Errors
 /// What the plot library says when it cannot draw.
 pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Figure>, FigureError> {
-    let history = &report.history.samples;
+    let [x, y, height] = report.shape.sizes_m();
+    let size = match report.shape {
+        Shape::Cylinder { .. } => format!("Cylinder, {}", size_words(x, height)),
+        Shape::Plane { .. } => size_words(x, height),
+        _ => format!("{} mm × {}", number(1e3 * x, 4), size_words(y, height)),
+    };
+    let history = &report.history;
+    let closed = |points: &[[f64; 2]]| -> Vec<(f64, f64)> {
+        points
+            .iter()
+            .chain(points.first())
+            .map(|&[x, y]| (1e3 * x, 1e3 * y))
+            .collect()
+    };
+    let [before, after] = [&report.shape.feet_m(), &history.outline_m].map(|points| closed(points));
+    let plan = Plan {
+        plots: vec![
+            line(&before, DARK, 1.0, Some("5 3")),
+            line(&after, DARK, 1.4, None),
+        ],
+        reach: [before, after].concat(),
+        legend: vec![
+            Entry::line(DARK, 1.0, Some("5 3"), "base at rest"),
+            Entry::line(DARK, 1.4, None, "base at the end"),
+        ],
+    };
+    let words = Words {
+        name: "spatial",
+        title: format!("{size}, {motion}"),
+        caption: format!(
+            "An object of {size} under the motion “{motion}”: one realisation. Top: angle of its axis to the \
+             vertical, and its parts to the right (along the thickness) and to the back (along the width). Bottom: the \
+             base from above, relative to the floor, at rest and at the end, and the path of its centre."
+        ),
+    };
+    in_space(words, &history.samples, plan)
+}
+
+/// As [`spatial_figure`], of a body on the points of its hull, with its weakest side.
+///
+/// # Errors
+/// As [`spatial_figure`].
+pub fn hull_figure(
+    motion: &str,
+    body: &BodyInPose,
+    orientation_rad: f64,
+    history: &[HullPoint],
+) -> Result<Option<Figure>, FigureError> {
+    let Some((first, last)) = history.first().zip(history.last()) else {
+        return Ok(None);
+    };
+    let from_above = |at: &HullPoint| -> Vec<(f64, f64)> {
+        let points = body.standing.points_m().iter();
+        points
+            .map(|point| at.place_m(point))
+            .map(|[x, y, _]| (1e3 * x, 1e3 * y))
+            .collect()
+    };
+    let (before, after) = (from_above(first), from_above(last));
+    // As far as the farthest point.
+    let reach_mm = before.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
+    let (sin, cos) = (orientation_rad + body.barrier.toward_rad).sin_cos();
+    let weakest = [(0.0, 0.0), (reach_mm * cos, reach_mm * sin)];
+    let colour = curve_style(4).colour;
+    let plan = Plan {
+        plots: vec![
+            line(&weakest, colour, 1.4, Some("2 2")),
+            markers(&before, GREY, MarkerShape::Circle, 2.5),
+            markers(&after, DARK, MarkerShape::Circle, 2.5),
+        ],
+        reach: [before, after].concat(),
+        legend: vec![
+            Entry::new(Sign::Dot { colour: GREY }, "contact points at rest"),
+            Entry::new(Sign::Dot { colour: DARK }, "contact points at the end"),
+            Entry::line(colour, 1.4, Some("2 2"), "towards the weakest side"),
+        ],
+    };
+    let height_mm = number(1e3 * body.barrier.rest_m, 4);
+    let shape = body.kind.name();
+    let words = Words {
+        name: "body",
+        title: format!("A {shape}, its centre of gravity {height_mm} mm above the floor, {motion}"),
+        caption: format!(
+            "A body ({shape}) under the motion “{motion}”: one realisation. Top: its tilt from where it rested, and its \
+             parts along the motion and to the left of it. Bottom: from above, the points on which it is followed, at \
+             rest and at the end, and the path of the point below its centre of gravity; it falls most easily \
+             towards its weakest side."
+        ),
+    };
+    let samples: Vec<SpatialPoint> = history.iter().map(spatial_point).collect();
+    in_space(words, &samples, plan)
+}
+
+struct Words {
+    name: &'static str,
+    title: String,
+    caption: String,
+}
+
+/// A base from above \[mm\].
+struct Plan {
+    plots: Vec<Plot>,
+    /// All of its points.
+    reach: Vec<(f64, f64)>,
+    legend: Vec<Entry>,
+}
+
+fn in_space(
+    words: Words,
+    history: &[SpatialPoint],
+    plan: Plan,
+) -> Result<Option<Figure>, FigureError> {
     let Some((from, to)) = span(history, |point| point.time_s) else {
         return Ok(None);
     };
@@ -67,12 +180,6 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
     };
     let tilts = [2, 0, 1].map(|part| degrees(&|p| p.tilts_rad[part]));
     let largest = tilts.iter().map(|tilt| peak(tilt)).fold(0.0, f64::max);
-    let [x, y, height] = report.shape.sizes_m();
-    let size = match report.shape {
-        Shape::Cylinder { .. } => format!("Cylinder, {}", size_words(x, height)),
-        Shape::Plane { .. } => size_words(x, height),
-        _ => format!("{} mm × {}", number(1e3 * x, 4), size_words(y, height)),
-    };
     let tilt = Panel {
         plots: tilts
             .iter()
@@ -88,49 +195,33 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
             .collect(),
         layout: stacked(time_axis(from, to), symmetric(largest, "Tilt (deg)"), true),
     };
+    let path: Vec<(f64, f64)> = history
+        .iter()
+        .map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1]))
+        .collect();
+    let (below, of_plan) = from_above(plan, &path);
+    let curves = ["tilt", "to the right", "to the back"]
+        .into_iter()
+        .enumerate();
     let page = Page {
-        name: "spatial".to_owned(),
-        title: plain(&format!("{size}, {motion}")),
-        caption: format!(
-            "An object of {size} under the motion “{motion}”: one realisation. Top: angle of its axis to the \
-             vertical, and its parts to the right (along the thickness) and to the back (along the width). Bottom: the \
-             base from above, relative to the floor, at rest and at the end, and the path of its centre."
-        ),
-        panels: vec![tilt, plan(report)],
+        name: words.name.to_owned(),
+        title: plain(&words.title),
+        caption: words.caption,
+        panels: vec![tilt, below],
         columns: 1,
         row_heights_px: PANELS_PX.to_vec(),
-        legend: vec![
-            curve(0, "tilt"),
-            curve(1, "to the right"),
-            curve(2, "to the back"),
-            Entry::line(DARK, 1.0, Some("5 3"), "base at rest"),
-            Entry::line(DARK, 1.4, None, "base at the end"),
-            curve(3, "path of its centre"),
-        ],
+        legend: curves
+            .map(|(index, words)| curve(index, words))
+            .chain(of_plan)
+            .chain([curve(3, "path of its centre")])
+            .collect(),
     };
     draw(page).map(Some)
 }
 
-/// The base from above, with equal scales.
-fn plan(report: &SpatialReport) -> Panel {
-    let closed = |points: &[[f64; 2]]| -> Vec<(f64, f64)> {
-        points
-            .iter()
-            .chain(points.first())
-            .map(|&[x, y]| (1e3 * x, 1e3 * y))
-            .collect()
-    };
-    let (before, after) = (
-        closed(&report.shape.feet_m()),
-        closed(&report.history.outline_m),
-    );
-    let path: Vec<(f64, f64)> = report
-        .history
-        .samples
-        .iter()
-        .map(|p| (1e3 * p.base_m[0], 1e3 * p.base_m[1]))
-        .collect();
-    let all = || before.iter().chain(&after).chain(&path);
+/// A base from above with the path of its centre \[mm\], with equal scales, and its legend.
+fn from_above(plan: Plan, path: &[(f64, f64)]) -> (Panel, Vec<Entry>) {
+    let all = || plan.reach.iter().chain(path);
     let bounds = |of: fn(&(f64, f64)) -> f64| {
         let values = || all().map(of);
         (
@@ -154,15 +245,19 @@ fn plan(report: &SpatialReport) -> Panel {
     let x = axis(left, right, wide_px, "To the right (mm)");
     let y = axis(front, back, high_px, "To the back (mm)");
     let end = path.last().copied().unwrap_or_default();
-    Panel {
-        plots: vec![
-            line(&before, DARK, 1.0, Some("5 3")),
-            line(&after, DARK, 1.4, None),
-            line(&path, curve_style(3).colour, 1.2, None),
-            markers(&[end], curve_style(3).colour, MarkerShape::Circle, 3.0),
-        ],
+    let mut plots = plan.plots;
+    plots.push(line(path, curve_style(3).colour, 1.2, None));
+    plots.push(markers(
+        &[end],
+        curve_style(3).colour,
+        MarkerShape::Circle,
+        3.0,
+    ));
+    let panel = Panel {
+        plots,
         layout: stacked(x, y, true),
-    }
+    };
+    (panel, plan.legend)
 }
 
 /// Both rotations of a stack against time, and their difference. `None` if nothing moved.

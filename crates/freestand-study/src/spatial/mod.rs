@@ -16,7 +16,6 @@ use freestand::spatial::{
     Support,
 };
 use freestand_input::problem::Problem;
-use freestand_input::words::Choices;
 use freestand_output::answer;
 use freestand_records::horizontal::HorizontalMotion;
 
@@ -27,7 +26,7 @@ use crate::cushion::EdgeCushion;
 use crate::unsolved::{self, base, unresolved_warning};
 
 /// What a single history in space is worth.
-const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
+pub(crate) const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
 
 /// The shapes of objects in space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -38,20 +37,6 @@ pub enum ShapeName {
     /// An upright cylinder on its rim; the thickness is its diameter.
     Cylinder,
 }
-
-/// The shapes by name.
-pub const SHAPES: Choices<ShapeName> = &[
-    (
-        ShapeName::Prism,
-        "prism",
-        "A box on its four corners; needs --width",
-    ),
-    (
-        ShapeName::Cylinder,
-        "cylinder",
-        "An upright cylinder on its rim; the thickness is its diameter",
-    ),
-];
 
 /// The shape of an object with these sizes \[m\].
 ///

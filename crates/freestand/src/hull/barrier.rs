@@ -1,8 +1,10 @@
 //! The hill that the centre of gravity of a body must climb before it falls.
 
 use std::cmp::{Ordering, Reverse};
-use std::collections::{BinaryHeap, HashMap, HashSet};
+use std::collections::BinaryHeap;
 use std::f64::consts::{PI, TAU};
+
+use foldhash::{HashMap, HashSet};
 
 use super::poses::StablePose;
 use super::{Hull, Vector};
@@ -50,19 +52,32 @@ impl Hull {
         let is_over = |grid: &Grid, cell: Cell, height_m: f64| {
             cell.tilt == grid.tilts || height_m < rest_m - FALLEN_M
         };
-        let coarse = Grid::new(self, pose, 1);
-        let way = coarse.lowest_way(|_| true, |cell, height_m| is_over(&coarse, cell, height_m));
-        // The same beside that way alone, in finer steps.
-        let fine = Grid::new(self, pose, FINER);
-        let beside = coarse.beside_all(way.cells.iter().map(|(cell, _)| *cell));
-        let is_beside = |cell: Cell| {
-            let tilt = cell.tilt / FINER;
-            let direction = cell.direction / FINER;
-            tilt <= WIDTH || beside.contains(&Cell { tilt, direction })
+        let sides = self.sides();
+        let coarse = Grid::new(self, &sides, pose, 1);
+        let mut way =
+            coarse.lowest_way(|_| true, |cell, height_m| is_over(&coarse, cell, height_m));
+        // The same beside that way alone, in finer steps, until it is lower again for good.
+        let low_m = rest_m + 0.9 * (way.highest().1 - rest_m);
+        let is_high = |(_, height_m): &(Cell, f64)| *height_m > low_m;
+        let last = way.cells.iter().rposition(is_high).unwrap_or(0);
+        way.cells.truncate(last + 2);
+        let end = way.cells.last().map_or(POSE, |(cell, _)| *cell);
+        let fine = Grid::new(self, &sides, pose, FINER);
+        let on_way = way.cells.iter().map(|(cell, _)| *cell);
+        let beside = coarse.beside_all(on_way.filter(|cell| *cell != POSE));
+        // Below the first coarse step, the way has the direction of that step.
+        let coarser = |cell: Cell| Cell {
+            tilt: (cell.tilt / FINER).max(1),
+            direction: cell.direction / FINER,
         };
-        let way = fine.lowest_way(is_beside, |cell, height_m| is_over(&fine, cell, height_m));
+        let way = fine.lowest_way(
+            |cell| beside.contains(&coarser(cell)),
+            |cell, height_m| coarser(cell) == end || is_over(&fine, cell, height_m),
+        );
         let (cell, highest_m) = way.highest();
         let (tilt_rad, toward_rad) = fine.angles(cell);
+        // From −π to π.
+        let toward_rad = toward_rad.sin().atan2(toward_rad.cos());
         Barrier {
             rest_m,
             rise_m: highest_m - rest_m,
@@ -86,6 +101,7 @@ const POSE: Cell = Cell {
 
 struct Grid<'h> {
     hull: &'h Hull,
+    sides: &'h [Vec<usize>],
     pose: &'h StablePose,
     axes: [Vector; 3],
     tilts: usize,
@@ -93,9 +109,10 @@ struct Grid<'h> {
 }
 
 impl<'h> Grid<'h> {
-    fn new(hull: &'h Hull, pose: &'h StablePose, finer: usize) -> Self {
+    fn new(hull: &'h Hull, sides: &'h [Vec<usize>], pose: &'h StablePose, finer: usize) -> Self {
         Self {
             hull,
+            sides,
             pose,
             axes: pose.axes(),
             tilts: finer * TILTS,
@@ -155,14 +172,14 @@ impl<'h> Grid<'h> {
         is_allowed: impl Fn(Cell) -> bool,
         is_end: impl Fn(Cell, f64) -> bool,
     ) -> Way {
-        let height = |cell: Cell| self.hull.height_m(&self.down(cell));
         let start = POSE;
-        let start_m = height(start);
-        let mut seen: HashMap<Cell, Seen> = HashMap::new();
+        let (start_m, vertex) = self.hull.lowest(&self.down(start));
+        let mut seen: HashMap<Cell, Seen> = HashMap::default();
         seen.insert(
             start,
             Seen {
                 height_m: start_m,
+                vertex,
                 highest_m: start_m,
                 before: start,
             },
@@ -181,10 +198,15 @@ impl<'h> Grid<'h> {
                 .into_iter()
                 .filter(|next| is_allowed(*next))
             {
-                let found = seen.entry(next).or_insert_with(|| Seen {
-                    height_m: height(next),
-                    highest_m: f64::INFINITY,
-                    before: cell,
+                let found = seen.entry(next).or_insert_with(|| {
+                    let down = self.down(next);
+                    let (height_m, vertex) = self.hull.lowest_from(here.vertex, self.sides, &down);
+                    Seen {
+                        height_m,
+                        vertex,
+                        highest_m: f64::INFINITY,
+                        before: cell,
+                    }
                 });
                 let way_m = highest_m.max(found.height_m);
                 if way_m < found.highest_m {
@@ -200,10 +222,12 @@ impl<'h> Grid<'h> {
     }
 }
 
-/// What is known of a cell: its height, the highest place on the best way to it, and the cell before it.
+/// What is known of a cell: its height and the vertex on which it stands, the highest place on the best way to it, and
+/// the cell before it.
 #[derive(Clone, Copy)]
 struct Seen {
     height_m: f64,
+    vertex: usize,
     highest_m: f64,
     before: Cell,
 }

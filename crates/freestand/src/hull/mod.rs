@@ -126,6 +126,40 @@ impl Hull {
     pub fn height_m(&self, down: &Vector) -> f64 {
         height_m(&self.vertices_m, down)
     }
+
+    /// Of each vertex, those to which an edge leads.
+    fn sides(&self) -> Vec<Vec<usize>> {
+        let mut sides = vec![Vec::new(); self.vertices_m.len()];
+        for [a, b, c] in &self.faces {
+            for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
+                sides[from].push(to);
+            }
+        }
+        sides
+    }
+
+    /// The height of the centre of gravity, and the vertex on which it stands.
+    fn lowest(&self, down: &Vector) -> (f64, usize) {
+        let heights = self.vertices_m.iter().map(|vertex| dot(vertex, down));
+        let both = heights.zip(0..);
+        both.reduce(|most, one| if one.0 > most.0 { one } else { most })
+            .unwrap_or((f64::NEG_INFINITY, 0))
+    }
+
+    /// As [`Hull::lowest`], from a vertex near to it along edges that lead down: on a convex body they end at the
+    /// lowest vertex.
+    fn lowest_from(&self, near: usize, sides: &[Vec<usize>], down: &Vector) -> (f64, usize) {
+        let height_of = |vertex: usize| dot(&self.vertices_m[vertex], down);
+        let (mut height_m, mut vertex) = (height_of(near), near);
+        loop {
+            let lower = sides[vertex].iter().map(|one| (height_of(*one), *one));
+            let next = lower.reduce(|most, one| if one.0 > most.0 { one } else { most });
+            match next {
+                Some(next) if next.0 > height_m => (height_m, vertex) = next,
+                _ => return (height_m, vertex),
+            }
+        }
+    }
 }
 
 /// Height of the centre of gravity on these points \[m\].

@@ -93,10 +93,37 @@ pub struct HullRocking {
     pub outcome: HullOutcome,
     /// The largest tilt from its pose \[rad\].
     pub peak_tilt_rad: f64,
+    /// When it was largest \[s\].
+    pub peak_tilt_time_s: f64,
     /// How far its centre of gravity is from where it was, along the floor \[m\].
     pub moved_m: [f64; 2],
     /// When the history ended \[s\].
     pub end_s: f64,
+}
+
+/// A body at one instant, on its way from where it rested.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HullPoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Its tilt towards +x and towards +y of the floor, and in all \[rad\].
+    pub tilts_rad: [f64; 3],
+    /// How far it has turned about the vertical \[rad\].
+    pub yaw_rad: f64,
+    /// The displacement of the point of the body that was on the floor below its centre of gravity \[m\].
+    pub base_m: Vector,
+    /// The place of its centre of gravity above where that was on the floor \[m\].
+    pub cg_m: Vector,
+    /// Its rotation from the axes in which it was given to those of the floor: w, x, y, z of a unit quaternion.
+    pub turn: Turn,
+}
+
+impl HullPoint {
+    /// Where a point of the body is, in the axes of the floor.
+    pub fn place_m(&self, point_m: &Vector) -> Vector {
+        let arm = turned(&shift(&self.turn), point_m);
+        [0, 1, 2].map(|i| self.cg_m[i] + arm[i])
+    }
 }
 
 /// A body in the pose in which it stands, with the points on which it is followed.
@@ -136,6 +163,11 @@ impl Standing {
         let reach_m = pose.cg_height_m - 3.0 * sinking_m;
         let is_low = |point: &&Vector| dot(point, &pose.down) > reach_m;
         self.points_m.iter().filter(is_low).count().max(3)
+    }
+
+    /// All its stable poses, the most upright first.
+    pub fn poses(&self) -> &[StablePose] {
+        &self.poses
     }
 
     /// The pose.
@@ -368,6 +400,12 @@ impl<'b> Stepper<'b> {
         [-x, -y, -1.0 - z]
     }
 
+    /// Where a point of the body is.
+    fn place_of(&self, point: &Vector) -> Vector {
+        let arm = turned(&self.shift, point);
+        [0, 1, 2].map(|i| self.place_m[i] + arm[i])
+    }
+
     /// The speed of its centre of gravity and that of a point at its height together \[m/s\].
     fn speed_m_s(&self) -> f64 {
         let size = |v: &Vector| dot(v, v).sqrt();
@@ -411,6 +449,21 @@ pub fn shake(
     motion: &SpatialMotion,
     gravity_m_s2: f64,
 ) -> Result<HullRocking, HullError> {
+    shake_observed(body, contact, yaw_rad, motion, gravity_m_s2, &mut |_| {})
+}
+
+/// As [`shake`], and passes where the body is at every sample of the motion.
+///
+/// # Errors
+/// As [`shake`].
+pub fn shake_observed(
+    body: &Standing,
+    contact: &Contact,
+    yaw_rad: f64,
+    motion: &SpatialMotion,
+    gravity_m_s2: f64,
+    observe: &mut dyn FnMut(HullPoint),
+) -> Result<HullRocking, HullError> {
     let Contact {
         friction_ratio,
         damping_ratio,
@@ -430,7 +483,84 @@ pub fn shake(
         return Err(HullError::Motion);
     }
     // The same operations in the same order, in the vectors that the processor has.
-    Ok(Arch::new().dispatch(|| follow(body, contact, yaw_rad, given, gravity_m_s2)))
+    Ok(Arch::new().dispatch(|| follow(body, contact, yaw_rad, given, gravity_m_s2, observe)))
+}
+
+/// How far a body has come from where it rests.
+struct Watch {
+    rest_m: Vector,
+    rest_down: Vector,
+    /// The point of the body on the floor below its centre of gravity.
+    base_m: Vector,
+    base_at_rest_m: Vector,
+    rest_turn: Turn,
+    least_cos: f64,
+    peak_s: f64,
+    now_s: f64,
+}
+
+impl Watch {
+    fn new(stepper: &Stepper) -> Self {
+        let rest_down = stepper.down();
+        let base_m = rest_down.map(|x| stepper.place_m[2] * x);
+        Self {
+            rest_m: stepper.place_m,
+            rest_down,
+            base_m,
+            base_at_rest_m: stepper.place_of(&base_m),
+            rest_turn: stepper.turn,
+            least_cos: 1.0,
+            peak_s: 0.0,
+            now_s: 0.0,
+        }
+    }
+
+    /// Whether it has overturned.
+    #[inline(always)]
+    fn has_fallen(&mut self, stepper: &Stepper, now_s: f64) -> bool {
+        let cos = dot(&stepper.down(), &self.rest_down);
+        if cos < self.least_cos {
+            (self.least_cos, self.peak_s) = (cos, now_s);
+        }
+        self.least_cos < OVERTURNED_RAD.cos()
+    }
+
+    fn ended(&self, stepper: &Stepper, outcome: HullOutcome) -> HullRocking {
+        HullRocking {
+            outcome,
+            peak_tilt_rad: self.least_cos.clamp(-1.0, 1.0).acos(),
+            peak_tilt_time_s: self.peak_s,
+            moved_m: [0, 1].map(|i| stepper.place_m[i] - self.rest_m[i]),
+            end_s: self.now_s,
+        }
+    }
+
+    fn point(&self, stepper: &Stepper, time_s: f64) -> HullPoint {
+        let base_m = stepper.place_of(&self.base_m);
+        let up = turned(&stepper.shift, &self.rest_down).map(|x| -x);
+        // Of the rotation since it rested, the part about the vertical.
+        let [w, x, y, z] = stepper.turn;
+        let [w0, x0, y0, z0] = self.rest_turn;
+        let (real, vertical) = (
+            w * w0 + x * x0 + y * y0 + z * z0,
+            z * w0 - w * z0 + y * x0 - x * y0,
+        );
+        HullPoint {
+            time_s,
+            tilts_rad: [
+                up[0].atan2(up[2]),
+                up[1].atan2(up[2]),
+                up[0].hypot(up[1]).atan2(up[2]),
+            ],
+            yaw_rad: 2.0 * vertical.atan2(real),
+            base_m: [0, 1, 2].map(|i| base_m[i] - self.base_at_rest_m[i]),
+            cg_m: [0, 1, 2].map(|i| match i {
+                2 => stepper.place_m[2],
+                _ => stepper.place_m[i] - self.rest_m[i],
+            }),
+            turn: stepper.turn,
+        }
+    }
 }
 
 #[inline(always)]
@@ -440,21 +570,13 @@ fn follow(
     yaw_rad: f64,
     given: [Option<&Motion>; 3],
     gravity_m_s2: f64,
+    observe: &mut dyn FnMut(HullPoint),
 ) -> HullRocking {
     let mut stepper = Stepper::new(body, contact, yaw_rad, gravity_m_s2);
     let is_settled = stepper.settle();
-    let (place_m, rest_down) = (stepper.place_m, stepper.down());
-    let fallen = OVERTURNED_RAD.cos();
-    let mut least_cos = 1.0_f64;
-    let mut end_s = 0.0;
-    let ended = |stepper: &Stepper, outcome, least_cos: f64, end_s| HullRocking {
-        outcome,
-        peak_tilt_rad: least_cos.clamp(-1.0, 1.0).acos(),
-        moved_m: [0, 1].map(|i| stepper.place_m[i] - place_m[i]),
-        end_s,
-    };
+    let mut watch = Watch::new(&stepper);
     if !is_settled {
-        return ended(&stepper, HullOutcome::Unsettled, least_cos, end_s);
+        return watch.ended(&stepper, HullOutcome::Unsettled);
     }
     let first = given.into_iter().flatten().next();
     let (samples, dt_s) = first.map_or((0, STEP_S), |one| (one.accel_m_s2().len(), one.dt_s()));
@@ -466,28 +588,35 @@ fn follow(
         })
     };
     for sample in 0..samples {
+        observe(watch.point(&stepper, watch.now_s));
         let [from, to] = [sample, sample + 1].map(|sample| [0, 1, 2].map(|axis| at(axis, sample)));
         for sub in 0..per_sample {
             let share = (sub as f64 + 0.5) / per_sample as f64;
             let floor = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
             stepper.step(&floor, step_s);
-            least_cos = least_cos.min(dot(&stepper.down(), &rest_down));
-            if least_cos < fallen {
-                end_s += (sub + 1) as f64 * step_s;
-                return ended(&stepper, HullOutcome::Overturned, least_cos, end_s);
+            let now_s = watch.now_s + (sub + 1) as f64 * step_s;
+            if watch.has_fallen(&stepper, now_s) {
+                watch.now_s = now_s;
+                observe(watch.point(&stepper, now_s));
+                return watch.ended(&stepper, HullOutcome::Overturned);
             }
         }
-        end_s = (sample + 1) as f64 * dt_s;
+        watch.now_s = (sample + 1) as f64 * dt_s;
     }
     let mut rested = 0;
     let needed = stepper.steps(RESTING_S);
     let tail_s = stepper.longest_s;
+    let mut next_s = watch.now_s;
     for _ in 0..stepper.steps(LONGEST_TAIL_S) {
+        if watch.now_s >= next_s {
+            observe(watch.point(&stepper, watch.now_s));
+            next_s += dt_s;
+        }
         stepper.step(&[0.0; 3], tail_s);
-        end_s += tail_s;
-        least_cos = least_cos.min(dot(&stepper.down(), &rest_down));
-        if least_cos < fallen {
-            return ended(&stepper, HullOutcome::Overturned, least_cos, end_s);
+        watch.now_s += tail_s;
+        if watch.has_fallen(&stepper, watch.now_s) {
+            observe(watch.point(&stepper, watch.now_s));
+            return watch.ended(&stepper, HullOutcome::Overturned);
         }
         let is_slow = stepper.speed_m_s() < RESTING_M_S;
         rested = if is_slow { rested + 1 } else { 0 };
@@ -496,8 +625,8 @@ fn follow(
                 pose if pose == body.pose => HullOutcome::Stood,
                 pose => HullOutcome::Shifted(pose),
             };
-            return ended(&stepper, outcome, least_cos, end_s);
+            return watch.ended(&stepper, outcome);
         }
     }
-    ended(&stepper, HullOutcome::Unresolved, least_cos, end_s)
+    watch.ended(&stepper, HullOutcome::Unresolved)
 }
