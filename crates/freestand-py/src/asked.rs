@@ -2,10 +2,13 @@
 
 use std::collections::HashMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use freestand_app::files::{Content, Files, Sent};
 use freestand_app::request::{Request, from_entries};
+use freestand_input::problem::Problem;
 use freestand_input::written::Written;
+use freestand_scan::mesh::Mesh;
 use freestand_study::recorded::ReadMotion;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyString};
@@ -14,8 +17,39 @@ use serde_json::{Map, Number, Value};
 use crate::arguments::{doubles, words_of};
 use crate::errors::raised;
 
-/// Files by the keys that name them: a path, or the text of the file.
-pub(crate) type Named = HashMap<String, (Option<PathBuf>, Option<String>)>;
+/// Files by the keys that name them.
+pub(crate) type Named = HashMap<String, NamedFile>;
+
+/// What Python names as a file.
+#[derive(FromPyObject)]
+pub(crate) enum NamedFile {
+    /// A path, or the text of the file.
+    #[pyo3(transparent)]
+    File((Option<PathBuf>, Option<String>)),
+    /// The coordinates of the vertices of a mesh, and the numbers of those of its triangles.
+    #[pyo3(transparent)]
+    Mesh((Vec<u8>, Vec<u8>)),
+}
+
+impl NamedFile {
+    fn content(self) -> PyResult<Option<Content>> {
+        Ok(match self {
+            Self::File((Some(path), _)) => Some(Content::At(path)),
+            Self::File((None, Some(text))) => Some(Content::Text(text)),
+            Self::File((None, None)) => None,
+            Self::Mesh((vertices, faces)) => {
+                let mesh = mesh(&vertices, &faces).map_err(raised)?;
+                Some(Content::Mesh(Arc::new(mesh)))
+            }
+        })
+    }
+}
+
+fn mesh(vertices: &[u8], faces: &[u8]) -> Result<Mesh, Problem> {
+    let (vertices, faces) = (doubles(vertices), doubles(faces));
+    let faces: Vec<usize> = faces.into_iter().map(|one| one as usize).collect();
+    Mesh::of_triangles(vertices.as_chunks().0, faces.as_chunks().0)
+}
 
 /// A request whose files are on the disk.
 pub(crate) fn typed<R: Request>(values: &Bound<'_, PyDict>) -> PyResult<R> {
@@ -58,10 +92,8 @@ pub(crate) fn asked<R: Request>(
         });
     }
     for (key, file) in files {
-        let content = match file {
-            (Some(path), _) => Content::At(path),
-            (None, Some(text)) => Content::Text(text),
-            (None, None) => continue,
+        let Some(content) = file.content()? else {
+            continue;
         };
         entries.insert(key.clone(), key.as_str().into());
         sent.push(Sent { name: key, content });

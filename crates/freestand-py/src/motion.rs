@@ -117,7 +117,7 @@ impl Record {
     }
 
     #[getter]
-    fn name(&self) -> &str {
+    pub(crate) fn name(&self) -> &str {
         &self.read.motion.name
     }
 

@@ -29,7 +29,7 @@ def test_every_request_has_the_problems_of_the_table() -> None:
             continue
         with pytest.raises(fs.FreestandError) as caught:
             if line["command"] == "rock":
-                _freestand.rock(line["request"], None, None, {}, False)
+                _freestand.rock(line["request"], [], None, None, {}, False)
             elif line["command"] == "object":
                 _freestand.check_object([], line["request"], {}, 1)
             elif line["command"] == "restrain":

@@ -33,23 +33,7 @@ pub fn read_mesh(path: &Path) -> Result<(InputFile, Mesh), Problem> {
 /// # Errors
 /// As [`read_mesh`].
 pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
-    let mesh = parse(bytes)?;
-    if !mesh.vertices.iter().flatten().all(|x| x.is_finite()) {
-        let hint = "export the scan again";
-        return Err(Problem::format(
-            "a vertex of the mesh is not a number",
-            hint,
-        ));
-    }
-    if mesh.faces.len() < 4 {
-        let message = format!(
-            "the mesh has {} triangles, which enclose nothing",
-            mesh.faces.len()
-        );
-        let hint = "export the surface of the scan as triangles, not as points";
-        return Err(Problem::format(message, hint));
-    }
-    Ok(mesh)
+    parse(bytes)?.checked()
 }
 
 fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {

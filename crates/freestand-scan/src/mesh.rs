@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use freestand_input::problem::Problem;
+
 /// Triangles with outward normals by the order of their vertices, z upward, in the unit of the file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Mesh {
@@ -17,6 +19,43 @@ fn bits(vertex: &[f64; 3]) -> [u64; 3] {
 }
 
 impl Mesh {
+    /// A mesh of triangles, each with the numbers of its vertices.
+    ///
+    /// # Errors
+    /// A triangle without its vertex, coordinates that are no numbers, fewer than four triangles.
+    pub fn of_triangles(vertices: &[[f64; 3]], faces: &[[usize; 3]]) -> Result<Self, Problem> {
+        let is_there = |one: &usize| *one < vertices.len();
+        if let Some(face) = faces.iter().find(|face| !face.iter().all(is_there)) {
+            let message = format!(
+                "the mesh has {} vertices, and a triangle has number {:?}",
+                vertices.len(),
+                face
+            );
+            return Err(Problem::format(message, "export the scan again"));
+        }
+        Self::merged(vertices, faces.iter().copied()).checked()
+    }
+
+    /// The mesh, if it may be that of an object.
+    pub(crate) fn checked(self) -> Result<Self, Problem> {
+        if !self.vertices.iter().flatten().all(|x| x.is_finite()) {
+            let hint = "export the scan again";
+            return Err(Problem::format(
+                "a vertex of the mesh is not a number",
+                hint,
+            ));
+        }
+        if self.faces.len() < 4 {
+            let message = format!(
+                "the mesh has {} triangles, which enclose nothing",
+                self.faces.len()
+            );
+            let hint = "export the surface of the scan as triangles, not as points";
+            return Err(Problem::format(message, hint));
+        }
+        Ok(self)
+    }
+
     /// A mesh from triangles whose vertices may be equal: those become one. A triangle of one or two points is left out.
     pub(crate) fn merged(vertices: &[[f64; 3]], faces: impl Iterator<Item = [usize; 3]>) -> Self {
         let mut mesh = Self::default();

@@ -170,7 +170,8 @@ answer! {
         /// The slenderness angle of the symmetric block whose centre of gravity must climb as far.
         barrier_angle_rad: f64 = body.barrier.angle_rad() => "angle of the block with the same barrier";
         barrier_rise_m: f64 = body.barrier.rise_m => "rise of the centre of gravity until then";
-        weakest_direction_rad: f64 = body.barrier.toward_rad => "direction of its weakest side, from x to y";
+        weakest_direction_rad: Option<f64> =
+            (body.kind != BodyKind::Cylinder).then_some(body.barrier.toward_rad) => "direction of its weakest side, from x to y";
         /// The points on which it is followed, from the centre of gravity, in the axes in which it was given.
         contact_points: Vec<Vec<f64>> = body.standing.points_m().iter().map(|point| point.to_vec()).collect();
         /// The number of the stable pose in which it stands.
@@ -203,7 +204,7 @@ answer! {
         peak_tilt_time_s: f64 => "  at";
         overturn_time_s: Option<f64> =
             (rocking.outcome == HullOutcome::Overturned).then_some(rocking.end_s) => "overturns";
-        moved_x_m: f64 = rocking.moved_m[0] => "displacement at the end, along the motion";
+        moved_x_m: f64 = rocking.moved_m[0] => "displacement of the centre of gravity, along the motion";
         moved_y_m: f64 = rocking.moved_m[1] => "  across it";
     }
 

@@ -93,14 +93,16 @@ impl Kind {
                 only("a stiff floor"),
                 "leave it out, or leave `base` and the cushion out",
             ),
-            _ if body::KEYS.contains(&key) && self == Self::Slides => (
-                only("an object that rocks"),
-                "leave it out, or leave `sliding` or `casters` out",
-            ),
             _ if body::KEYS.contains(&key) && self == Self::Rigid => (
                 only("a shape or a scan in three dimensions"),
                 "add `shape` or `scan`, or leave it out",
             ),
+            _ if (OF_SPACE.contains(&key) || body::KEYS.contains(&key)) && self == Self::Slides => {
+                (
+                    only("an object that rocks"),
+                    "leave it out, or leave `sliding` or `casters` out",
+                )
+            }
             _ if OF_SPACE.contains(&key) && !on_cushions => (
                 only("an object in three dimensions"),
                 "add `shape` for a stiff floor or `base = \"compliant\"` for cushions, or leave it out",

@@ -96,6 +96,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "hard_rock",
             "spectra",
             "keep_mean",
+            "scan_hull",
             "pairs",
             "compare",
             "parquet",

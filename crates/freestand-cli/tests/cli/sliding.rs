@@ -349,8 +349,8 @@ fn what_does_not_slide_is_refused() {
         ),
         (
             &["--sliding", "--width", "1 m", "--friction", "0.1"],
-            "applies only to a compliant base",
-            "--base compliant",
+            "applies only to an object that rocks",
+            "leave --sliding or --casters out",
         ),
         (
             &["--upper-height", "1 m"],

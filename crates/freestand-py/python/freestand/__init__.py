@@ -10,6 +10,7 @@ All arguments and results are in SI units, and every name ends in its unit.
 from typing import TYPE_CHECKING
 
 from ._block import Block, Cushion, Sliding, Walls
+from ._body import Body, BodyResult
 from ._errors import BadValue, FreestandError, FreestandWarning, Interrupted, Problem, ReadError, SolveError, StudyError
 from ._freestand import study_toml
 from ._ground import code_spectrum, floor, synth
@@ -71,6 +72,8 @@ __all__ = [
     "AssessResult",
     "BadValue",
     "Block",
+    "Body",
+    "BodyResult",
     "CodeSpectrumResult",
     "Cushion",
     "DropTestResult",

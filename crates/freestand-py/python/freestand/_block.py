@@ -8,11 +8,11 @@ from typing import Any, TypeAlias
 
 from . import _freestand
 from ._convert import Given, PathLike, bad, given, of_kind, plain, sizes_m, words
-from ._results import DropTestResult
+from ._results import DropTestResult, RockResult
 
 
-#: Files by the keys that name them: a path, or the text of the file.
-Files: TypeAlias = "dict[str, tuple[PathLike | None, str | None]]"
+#: Files by the keys that name them: a path, or the text of the file; or the arrays of a mesh.
+Files: TypeAlias = "dict[str, tuple[PathLike | None, str | None] | tuple[bytes, bytes]]"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -171,6 +171,9 @@ class Block:
         """The values of a request, and the file of the pad; with another cushion, if there is one."""
         values, files = pad_asked(cushion or cushion_given(self.cushion, self.stiffness_n_m, None))
         return given(**{name: getattr(self, name) for name in _SIZES if name != "width_m"}) | values, files
+
+    def _result(self, document: Given, history: tuple[str, bytes] | None, motion: Any) -> RockResult:
+        return RockResult(document, history, motion)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return Block, tuple(getattr(self, one.name) for one in fields(self) if one.init)

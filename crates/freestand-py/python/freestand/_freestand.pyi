@@ -1,11 +1,11 @@
 """The compiled half of freestand: functions take the arguments that were given, by name."""
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias, final
 
 _Path: TypeAlias = str | os.PathLike[str]
-_Files: TypeAlias = dict[str, tuple[_Path | None, str | None]]
+_Files: TypeAlias = Mapping[str, tuple[_Path | None, str | None] | tuple[bytes, bytes]]
 
 __all__ = [
     "Body",
@@ -99,11 +99,12 @@ def restrain(request: dict[str, Any], files: _Files) -> tuple[str, str | None]: 
 def risk(request: dict[str, Any], files: _Files, threads: int | None) -> str: ...
 def rock(
     request: dict[str, Any],
-    motion: Record | None,
+    motions: list[Record],
     vertical: Record | None,
+    across: Record | None,
     files: _Files,
     history: bool,
-) -> tuple[str, tuple[str, bytes] | None]: ...
+) -> tuple[str, list[tuple[str, bytes]]]: ...
 def run(
     request: dict[str, Any],
     files: _Files,

@@ -4,20 +4,32 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Sequence
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 import numpy as np
 
 from . import _freestand
-from ._block import Block, Cushion, Sliding, Walls, cushion_given, pad_asked
-from ._convert import Numbers, PathLike, bad, data, given, of_kind, sizes_m, threads_given, warn
+from ._body import Body, BodyResult
+from ._block import Block, Cushion, Files, Sliding, Walls, cushion_given, pad_asked
+from ._convert import Given, Numbers, PathLike, bad, data, given, of_kind, sizes_m, threads_given, warn
 from ._motion import Motion, record, several
 from ._results import DropTestResult, RockResult, ShockResult
 from ._table import Table, _Column
 
 
+R = TypeVar("R", covariant=True)
+
+
+class Rocks(Protocol[R]):
+    """What rocks: a block or a body."""
+
+    def _asked(self) -> tuple[Given, Files]: ...
+
+    def _result(self, document: Given, history: tuple[str, bytes] | None, motion: Motion | None) -> R: ...
+
+
 def rock(
-    block: Block,
+    block: Rocks[R],
     motion: Motion | None = None,
     *,
     vertical: Motion | None = None,
@@ -39,15 +51,19 @@ def rock(
     at_m: tuple[float, float] | None = None,
     tangential_stiffness_n_m: float | None = None,
     tangential_ratio: float | None = None,
-) -> RockResult:
+    across: Motion | None = None,
+    orientation_rad: float | None = None,
+    contact_damping: float | None = None,
+    contact_sinking_m: float | None = None,
+) -> R:
     """How an object responds to a motion of its floor.
 
     After the last sample the floor does not move, and the object is followed until it rests or lies.
 
     Parameters
     ----------
-    block : Block
-        The object; with mass and cushion the result has the shock.
+    block : Block or Body
+        The object; with mass and cushion the result of a block has the shock.
     motion : Motion, optional
         Without one, give `initial_rotation_rad` or `initial_velocity_rad_s`.
     vertical : Motion, optional
@@ -77,10 +93,13 @@ def rock(
     cg_rise_m, contacts, at_m, tangential_stiffness_n_m, tangential_ratio : optional
         Of a compliant base alone: the rise from which the object is released [m], the number of contacts, a point (x, z)
         whose acceleration is reported [m], and the tangential stiffness [N/m] or its ratio to the vertical one.
+    across, orientation_rad, contact_damping, contact_sinking_m : optional
+        Of a body alone: the motion to the left of `motion`, how far it is turned from it, anticlockwise from above [rad], the
+        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001).
 
     Returns
     -------
-    RockResult
+    RockResult or BodyResult
         `outcome`, `peak_rotation_rad`, `uplift_m`, `edge_acceleration_g`, `impacts`, `history` and more.
 
     Examples
@@ -89,19 +108,19 @@ def rock(
     >>> result.outcome, result.impact_count
     ('rocked', 269)
     """
-    check_block(block)
+    if not isinstance(block, Body):
+        check_block(block)
     of_kind("walls", walls, Walls, "a freestand.Walls")
     of_kind("sliding", sliding, Sliding, "a freestand.Sliding")
     of_kind("history", history, (bool, np.bool_), "True or False")
     history = bool(history)
-    horizontal = None if motion is None else record("motion", motion)
-    upward = None if vertical is None else record("vertical", vertical)
     asked, files = block._asked()
     asked |= given(
         restitution=restitution, restitution_factor=restitution_factor, model=model, accuracy=accuracy, base=base,
         initial_rotation_rad=initial_rotation_rad, initial_velocity_rad_s=initial_velocity_rad_s, duration_s=duration_s,
         friction=friction, gravity_m_s2=gravity_m_s2, cg_rise_m=cg_rise_m, contacts=contacts, at_m=at_m,
         tangential_stiffness_n_m=tangential_stiffness_n_m, tangential_ratio=tangential_ratio,
+        orientation_rad=orientation_rad, contact_damping=contact_damping, contact_sinking_m=contact_sinking_m,
     )  # fmt: skip
     if walls is not None:
         asked |= walls._asked()
@@ -110,10 +129,35 @@ def rock(
         if not sliding.brakes:
             # What slides or rolls does not land on its cushion; on brakes that hold, it may.
             asked, files = {name: value for name, value in asked.items() if name not in _OF_CUSHION}, {}
-    text, columns = _freestand.rock(asked, horizontal, upward, files, history)
-    result = RockResult(json.loads(text), columns, motion)
-    warn(result.warnings)
-    return result
+    motions = [] if motion is None else [motion]
+    return _followed(block, asked, files, motions, vertical, across, history)[0]
+
+
+def rock_each(body: Body, motions: Iterable[Motion], *, history: bool = False, **options: Any) -> list[BodyResult]:
+    """How a body responds to each of several motions; the options are those of `rock`."""
+    asked, files = body._asked()
+    return _followed(body, asked | given(**options), files, several(motions), None, None, history)
+
+
+def _followed(
+    block: Rocks[R],
+    asked: Given,
+    files: Files,
+    motions: Sequence[Motion],
+    vertical: Motion | None,
+    across: Motion | None,
+    history: bool,
+) -> list[R]:
+    upward = None if vertical is None else record("vertical", vertical)
+    to_left = None if across is None else record("across", across)
+    horizontal = [record("motion", one) for one in motions]
+    text, columns = _freestand.rock(asked, horizontal, upward, to_left, files, history)
+    document = json.loads(text)
+    warn(document["warnings"])
+    shared = {name: document[name] for name in ("body", "warnings") if name in document}
+    rows = [row | shared for row in document.get("rows", [])] or [document]
+    each = [motions[at] if motions else None for at in range(len(rows))]
+    return [block._result(row, columns[at] if columns else None, each[at]) for at, row in enumerate(rows)]
 
 
 _OF_CUSHION = (
@@ -122,7 +166,7 @@ _OF_CUSHION = (
 )  # fmt: skip
 
 
-def check_block(block: Block) -> None:
+def check_block(block: object) -> None:
     if not isinstance(block, Block):
         raise bad(f"block must be a freestand.Block, not {type(block).__name__}", "make one: Block(height_m, thickness_m)")
 
