@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
+use freestand::hull::HullError;
 use freestand::hull::shake::Contact;
+use freestand::hull::shapes::{Outline, upright};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, number};
 use freestand_input::written::Written;
 use freestand_scan::body::{Leaking, Solid, Underside, scanned_body};
-use freestand_scan::shapes::{Outline, upright};
 use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::spatial;
 
@@ -296,7 +297,15 @@ pub(crate) fn scanned(
         Underside::Flat(_) => BodyKind::ScanOnFlatBase,
         Underside::Feet(..) => BodyKind::ScanOnFeet,
     };
-    posed(read, "scan", solid, kind, mass_kg, pose)
+    let Solid {
+        body,
+        volume_m3,
+        is_hull,
+        ..
+    } = solid;
+    let posed = BodyInPose::new(&body, kind, volume_m3, is_hull, mass_kg, pose);
+    let key = if pose > 1 { "stand_on" } else { "scan" };
+    read.keep(key, posed).map(Arc::new)
 }
 
 /// The body of a simple shape.
@@ -348,33 +357,20 @@ pub(crate) fn shaped(
         feet_m.as_deref(),
     );
     let key = if stands_on_feet { "feet" } else { "height" };
-    let solid = read.keep(key, solid)?;
+    let unfit = |error: HullError| match error {
+        HullError::Outside => Problem::value(
+            "the centre of gravity is not above the points on which the object stands: it tips over",
+            "give feet on all sides of the middle of the object",
+        ),
+        _ => Problem::value(error.to_string(), "check the sizes and the feet"),
+    };
+    let (body, volume_m3) = read.keep(key, solid.map_err(unfit))?;
     let kind = match (name, stands_on_feet) {
         (_, true) => BodyKind::OnFeet,
         (ShapeName::Box, _) => BodyKind::Box,
         (ShapeName::Cylinder, _) => BodyKind::Cylinder,
         (ShapeName::Polygon(_), _) => BodyKind::Polygon,
     };
-    posed(read, key, solid, kind, mass_kg, 1)
-}
-
-/// A body in the pose of this number, from 1.
-fn posed(
-    read: &mut WordReader<'_>,
-    key: &'static str,
-    solid: Solid,
-    kind: BodyKind,
-    mass_kg: Option<f64>,
-    pose: usize,
-) -> Option<Arc<BodyInPose>> {
-    let body = BodyInPose::new(
-        &solid.body,
-        kind,
-        solid.volume_m3,
-        solid.is_hull,
-        mass_kg,
-        pose,
-    );
-    let key = if pose > 1 { "stand_on" } else { key };
-    read.keep(key, body).map(Arc::new)
+    let posed = BodyInPose::new(&body, kind, volume_m3, false, mass_kg, 1);
+    read.keep(key, posed).map(Arc::new)
 }

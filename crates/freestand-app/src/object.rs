@@ -40,9 +40,9 @@ request! { question
         /// Height of the centre of gravity [default: half of the height]
         #[arg(long, value_name = "LENGTH", help_heading = "The object")]
         pub cg_height: Option<Written>,
-        /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is not calculated in three
-        /// dimensions: the numbers are those of the square prism around it, and it is never said to stand
-        /// [default: box]
+        /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is calculated in three dimensions on
+        /// its rim, beside a wall as the square prism around it; both are too mild, and it is hardly ever said to
+        /// stand [default: box]
         #[arg(long, value_name = "SHAPE", value_parser = one_of(BASES), help_heading = "The object")]
         pub shape: Option<Written>,
         /// Mass

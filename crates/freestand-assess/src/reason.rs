@@ -237,6 +237,9 @@ pub enum Note {
     OneComponent,
     /// Its feet pass through its wall.
     FeetPassWall,
+    /// It is followed on the points of its hull, which is too mild; a wall and its pads do not count, and no shock is
+    /// calculated.
+    OnHull,
     /// A stack moves in the plane of the thickness.
     StackInPlane,
 }

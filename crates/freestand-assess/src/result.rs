@@ -193,6 +193,10 @@ pub enum ObjectModel {
     Spatial,
     /// It moves in a plane on its pads, with another body on it.
     Stack,
+    /// It moves in three dimensions on the points of its hull.
+    #[serde(rename = "hull-3d")]
+    #[strum(serialize = "hull-3d")]
+    Hull,
 }
 
 impl ObjectModel {

@@ -18,7 +18,8 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 )]
 #[strum(serialize_all = "kebab-case")]
 pub enum TooMild {
-    /// Its base is round, and it is followed as the square prism around it.
+    /// Its base is round: in three dimensions on its rim no test stands behind the model, and beside a wall it is followed
+    /// as the square prism around it.
     Round,
     /// On its pads, its feet pass through the wall beside it.
     FeetPassWall,

@@ -358,3 +358,51 @@ fn two_objects_and_double_surfaces_are_refused() {
         scanned_body(&twice, 1e-3, 50.0, Leaking::Refuse, &Underside::Measured).unwrap_err();
     assert!(refused.to_string().contains("there twice"), "{refused}");
 }
+
+/// A box with a base that is a roof of 1 mm: measured it stands on one side of the ridge, and it is flat where
+/// nobody saw it.
+#[test]
+fn a_base_that_nobody_saw_is_flat_or_on_feet() {
+    let top = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.4], [0.0, 0.4]];
+    let mut vertices: Vec<[f64; 3]> = top.iter().map(|[x, y]| [*x, *y, 1.0]).collect();
+    vertices.extend(top.iter().map(|[x, y]| [*x, *y, 0.001]));
+    vertices.extend([[0.2, 0.0, 0.0], [0.2, 0.4, 0.0]]);
+    let faces = vec![
+        [0, 1, 2],
+        [0, 2, 3],
+        [0, 5, 1],
+        [0, 4, 5],
+        [4, 8, 5],
+        [1, 6, 2],
+        [1, 5, 6],
+        [2, 7, 3],
+        [2, 6, 7],
+        [6, 9, 7],
+        [3, 4, 0],
+        [3, 7, 4],
+        [4, 7, 9],
+        [4, 9, 8],
+        [8, 9, 6],
+        [8, 6, 5],
+    ];
+    let mesh = Mesh { vertices, faces };
+    let stands = |underside: Underside| {
+        let solid = scanned_body(&mesh, 1.0, 50.0, Leaking::Refuse, &underside).unwrap();
+        let pose = solid.body.hull.standing().unwrap();
+        let barrier = solid.body.hull.barrier(&pose);
+        (pose.tilt().0, barrier.tilt_rad)
+    };
+    let (tilt, _) = stands(Underside::Measured);
+    assert!((tilt - 0.001 / 0.2).abs() < 1e-4, "{tilt}");
+    let (tilt, tips) = stands(Underside::Flat(0.002));
+    assert!(
+        tilt < 1e-9 && (tips - 0.4_f64.atan()).abs() < 1e-3,
+        "{tilt} {tips}"
+    );
+    let feet = vec![[0.1, 0.1], [0.3, 0.1], [0.3, 0.3], [0.1, 0.3]];
+    let (tilt, tips) = stands(Underside::Feet(feet, 0.002));
+    assert!(
+        tilt < 1e-3 && (tips - 0.2_f64.atan()).abs() < 2e-3,
+        "{tilt} {tips}"
+    );
+}

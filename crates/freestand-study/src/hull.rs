@@ -16,9 +16,6 @@ use freestand_output::answer;
 
 use crate::spatial::ONE_REALISATION;
 
-/// A shape that a scan or its sizes do not give upright is refused at this tilt \[rad\].
-const UPRIGHT_RAD: f64 = 0.002;
-
 /// A body whose barrier is that of a block of this slenderness angle hardly stands \[rad\]: what it takes to
 /// overturn a block of it is 0.03 g.
 const HARDLY_RAD: f64 = 0.03;
@@ -55,10 +52,6 @@ impl BodyKind {
             Self::ScanOnFeet => "scan, on feet",
         }
     }
-
-    fn is_scan(self) -> bool {
-        matches!(self, Self::Scan | Self::ScanOnFlatBase | Self::ScanOnFeet)
-    }
 }
 
 /// A body in the pose in which it stands.
@@ -94,18 +87,7 @@ impl BodyInPose {
         pose: usize,
     ) -> Result<Self, Problem> {
         if pose == 1 {
-            let upright = body.hull.standing();
-            let tilt_rad = upright
-                .map_err(|error| cannot_stand(&error, kind))?
-                .tilt()
-                .0;
-            if !kind.is_scan() && tilt_rad > UPRIGHT_RAD {
-                let message = "the centre of gravity is not above the points on which the object stands: it tips over";
-                return Err(Problem::value(
-                    message,
-                    "give feet on all sides of the middle of the object",
-                ));
-            }
+            body.hull.standing().map_err(cannot_stand)?;
         }
         let Some(standing) = pose.checked_sub(1).and_then(|at| body.standing(at)) else {
             let count = body.hull.stable_poses().len();
@@ -128,13 +110,9 @@ impl BodyInPose {
     }
 }
 
-fn cannot_stand(error: &HullError, kind: BodyKind) -> Problem {
-    let hint = match kind.is_scan() {
-        true => {
-            "turn the scan so that z points upward, or choose a stable pose of the scan with `stand_on`"
-        }
-        false => "check the sizes and the feet of the object",
-    };
+fn cannot_stand(error: HullError) -> Problem {
+    let hint =
+        "turn the scan so that z points upward, or choose one of its stable poses with `stand_on`";
     Problem::value(error.to_string(), hint)
 }
 

@@ -23,6 +23,9 @@ pub fn problem(error: RespondError) -> Problem {
         RespondError::Rocking(error) => rocking_problem(error),
         RespondError::Sliding(error) => sliding_problem(error),
         RespondError::Compliant(error) => compliant_problem(error),
+        RespondError::Hull(error) => {
+            Problem::value(error.to_string(), "check the shape of the object")
+        }
         RespondError::TooLong { .. } => Problem::value(
             error.to_string(),
             "give a shorter `duration`, or leave `history` and `out` out",

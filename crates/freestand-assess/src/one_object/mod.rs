@@ -19,7 +19,7 @@ use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
 use crate::verdict::{Context, Member, Subject, assess_one};
-pub use crate::verdict::{Follow, Shown, ShownEarthquake, Tally, middle};
+pub use crate::verdict::{Follow, HULL_FRICTION_RATIO, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
 use freestand_inventory::{Casters, Item, Surroundings};

@@ -2,12 +2,12 @@
 
 use freestand_study::statistics::QUANTILES;
 
-use crate::result::{Answers, FallsAnswer, FewMotions, ModelAnswers, ShockAnswer};
+use crate::result::{Answers, FallsAnswer, FewMotions, ModelAnswers, ShockAnswer, TooMild};
 
 use super::Context;
 use super::object::{Model, Way};
 use super::over_worlds::quantile;
-use super::trial::{Question, Trial};
+use super::trial::{MILD_HIGH, Question, Trial};
 
 /// The answers of both models, in the worlds that were lived through.
 pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
@@ -19,6 +19,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
             .as_ref()
             .is_some_and(|capacity| match trial.subject.way {
                 Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
+                Way::Hull(_) => !capacity.needs_shock(),
                 Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
                     trial.subject.body.is_some() || !capacity.needs_shock()
                 }
@@ -33,7 +34,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     };
     let [rigid, compliant] =
         [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
-    let too_mild = trial.subject.too_mild;
+    let too_mild = too_mild(trial);
     let falls = FallsAnswer::of(trial.side(context, Question::Falls), too_mild);
     let capacity = trial.subject.capacity.as_ref();
     let shock_side = capacity.map(|_| trial.side(context, Question::Shock));
@@ -67,6 +68,16 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
             .records()
             .and_then(|n| FewMotions::of(n, context.fewest_records(accepted))),
     }
+}
+
+/// Why it may fall where it stands in its calculation. A body on its hull that falls in no world is taken to fall in
+/// as many as [`MILD_HIGH`]; one that falls in any is left only where half of them are accepted.
+fn too_mild(trial: &Trial) -> Option<TooMild> {
+    let accepted = trial.member.accepted_ratio;
+    let is_bounded = matches!(trial.subject.way, Way::Hull(_))
+        && accepted > MILD_HIGH
+        && (accepted >= 0.5 || !trial.falls_at_all());
+    trial.subject.too_mild.filter(|_| !is_bounded)
 }
 
 /// Whether the demand of every world is known: that of a stop needs its stiffness and the mass.

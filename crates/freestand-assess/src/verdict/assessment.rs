@@ -174,6 +174,7 @@ pub(super) fn assessment(
         Way::Planar => ObjectModel::Rock,
         Way::Spatial(_) => ObjectModel::Spatial,
         Way::Stack(_) => ObjectModel::Stack,
+        Way::Hull(_) => ObjectModel::Hull,
     });
     assessed.in_space = in_space(trial);
     if assessed.in_space.is_some() {
@@ -422,7 +423,7 @@ fn rotation_ratio(trial: &Trial, axes: &[AxisMotion]) -> f64 {
     let alpha = |axis: usize| trial.subject.axes[axis].block.pivot().slenderness_angle_rad;
     axes.iter()
         .enumerate()
-        .filter_map(|(i, one)| Some(one.rocking()?.peak_rotation_rad / alpha(i)))
+        .filter_map(|(i, one)| Some(one.peak_rotation_rad()? / alpha(i)))
         .fold(0.0, f64::max)
 }
 
@@ -687,14 +688,12 @@ fn chain(context: &Context, trial: &Trial, world: usize) -> Option<Chain> {
 fn clearance(trial: &Trial) -> Option<f64> {
     let clear = |(i, one): (usize, &AxisMotion)| {
         let geometry = &trial.subject.axes[i];
-        let rocking = one.rocking()?;
-        Some(match rocking.outcome {
+        let peak_rotation_rad = one.peak_rotation_rad()?;
+        Some(match one.outcome() {
             RockingOutcome::Overturned => geometry.height_m,
-            _ => crate::restraint::clearance_m(
-                geometry.height_m,
-                geometry.side_m,
-                rocking.peak_rotation_rad,
-            ),
+            _ => {
+                crate::restraint::clearance_m(geometry.height_m, geometry.side_m, peak_rotation_rad)
+            }
         })
     };
     let axes = trial

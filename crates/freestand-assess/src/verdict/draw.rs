@@ -1,8 +1,11 @@
 //! One draw of everything that is not known of an object in a world.
 
+use std::f64::consts::TAU;
+
 use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
 use freestand::fragility::{log_uniform_draw, lognormal_draw, lognormal_probability, uniform_draw};
+use freestand::hull::shake::Contact;
 use freestand::respond::Along;
 use freestand::rocking::Restitution;
 use freestand::wall::Walls;
@@ -14,7 +17,7 @@ use sha2::{Digest, Sha256};
 
 use freestand_study::study::assessment::{Settings, Spread};
 
-use super::object::{AxisGeometry, Subject};
+use super::object::{AxisGeometry, Subject, Way};
 
 /// Standard deviation of the logarithm of a damping ratio that a drop test found (assumed).
 const MEASURED_DAMPING_SPREAD: f64 = 0.2;
@@ -42,6 +45,49 @@ pub(super) struct Draw {
     pub(super) wall: Option<WallDraw>,
     /// Factors of the mass, height and thickness of what stands on it.
     pub(super) upper: [f64; 3],
+    /// `None`: it is not followed on its hull.
+    pub(super) hull: Option<HullDraw>,
+}
+
+/// How a body on its hull stands, and how it touches the floor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HullDraw {
+    /// How far it is turned from x to y of the floor \[rad\].
+    pub(super) yaw_rad: f64,
+    /// Its friction is that of the draw.
+    pub(super) contact: Contact,
+}
+
+/// The ranges of what is not known of a contact, both uniform in their logarithms: as for the tests on a shake table
+/// (docs/validation.md). Less damping and softer contacts are less favourable.
+const CONTACT_DAMPING_RATIO: (f64, f64) = (0.05, 0.5);
+const CONTACT_SINKING_M: (f64, f64) = (5e-5, 5e-4);
+
+impl HullDraw {
+    fn new(settings: &Settings, object: u64, world: u32, change: Change) -> Self {
+        let stream = |group: Group| {
+            let repetition = change.repetition(group);
+            object_stream(settings.seed, world, object, group, repetition)
+        };
+        let (least, most) = CONTACT_DAMPING_RATIO;
+        let (low_m, high_m) = CONTACT_SINKING_M;
+        let mut random = stream(Group::Pad);
+        let mut damping_ratio = log_uniform_draw(&mut random, least, most);
+        let mut sinking_m = log_uniform_draw(&mut random, low_m, high_m);
+        if let Some(normal) = change.normal(Group::Pad) {
+            let share = lognormal_probability(normal.exp(), 1.0, 1.0);
+            damping_ratio = most * (least / most).powf(share);
+            sinking_m = low_m * (high_m / low_m).powf(share);
+        }
+        Self {
+            yaw_rad: uniform_draw(&mut stream(Group::Orientation), 0.0, TAU),
+            contact: Contact {
+                damping_ratio,
+                sinking_m,
+                ..Contact::default()
+            },
+        }
+    }
 }
 
 /// An object with the values of one draw.
@@ -202,6 +248,8 @@ pub(super) fn draw(
             .walls()
             .map(|_| wall(settings, object, world, change)),
         upper,
+        hull: matches!(subject.way, Way::Hull(_))
+            .then(|| HullDraw::new(settings, object, world, change)),
     }
 }
 
@@ -256,6 +304,16 @@ impl Draw {
             upper: [1.0; 3],
             ..self
         }
+    }
+
+    /// The factors of its height and of its first side.
+    pub(super) fn factors(&self) -> (f64, f64) {
+        (self.heights, self.sides[0])
+    }
+
+    /// The factor of its mass.
+    pub(super) fn mass(&self) -> f64 {
+        self.mass
     }
 
     /// What stands beside the object in the plane of an axis.

@@ -52,7 +52,7 @@ pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{NoShockLimits, Nominal, NominalRun, NotFollowed};
 pub(crate) use object::Subject;
-pub use object::middle;
+pub use object::{HULL_FRICTION_RATIO, middle};
 pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub use tally::Tally;
 

@@ -529,7 +529,8 @@ fn class(outcome: Outcome, exceeds: impl FnOnce() -> bool) -> OutcomeClass {
 /// Largest |θ|/α of either edge; 0 where it rolls or slides and is not tripped.
 fn turned(block: &Block, one: &AxisMotion) -> f64 {
     let Some(rocking) = one.rocking() else {
-        return 0.0;
+        let of_body = one.peak_rotation_rad();
+        return of_body.unwrap_or(0.0) / block.pivot().slenderness_angle_rad;
     };
     let pivots = [block.right_pivot(), block.pivot()];
     let share = |(pivot, side): (freestand::block::Pivot, SideExtremes)| {

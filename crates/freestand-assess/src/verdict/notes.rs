@@ -27,6 +27,7 @@ pub(super) fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<Note>,
             }
         }
         Way::Stack(_) => notes.push(Note::StackInPlane),
+        Way::Hull(_) => notes.push(Note::OnHull),
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)

@@ -2,8 +2,11 @@
 //! what is missing.
 
 use freestand::G0_M_S2;
+use std::sync::Arc;
+
 use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
+use freestand::hull::shapes::{Outline, upright};
 use freestand::impact::ImpactModel;
 use freestand::rocking::{Restitution, RockingSummary};
 use freestand::sliding::Friction;
@@ -11,6 +14,7 @@ use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::worlds::WallDraw;
 
 use freestand::wall::{Wall, Walls};
+use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
@@ -49,7 +53,7 @@ pub(super) enum Model {
 }
 
 /// The way in which an object is followed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum Way {
     /// It rocks about one axis at a time, with nothing within its reach: on a rigid base, and on its
     /// pads where they are known.
@@ -64,6 +68,8 @@ pub(super) enum Way {
     Spatial(Option<Beside>),
     /// With another body on it, in the plane of the thickness, both on pads.
     Stack(Upper),
+    /// In three dimensions on the points of its hull, on a stiff floor.
+    Hull(Arc<BodyInPose>),
 }
 
 /// How far an object may slide where the list gives no clearance \[m\]: what stands beside furniture is
@@ -76,7 +82,9 @@ impl Way {
         match self {
             Self::Rolls(gliding) => gliding.clearance_m,
             Self::Slides(gliding) => Some(gliding.clearance_m.unwrap_or(SLIDING_ROOM_M)),
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => None,
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+                None
+            }
         }
     }
 
@@ -85,7 +93,9 @@ impl Way {
         match self {
             Self::Planar => true,
             // Beside a wall, on casters and while it slides its pads are not followed.
-            Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) => model == Model::Rigid,
+            Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) | Self::Hull(_) => {
+                model == Model::Rigid
+            }
             Self::Spatial(_) | Self::Stack(_) => model == Model::Pads,
         }
     }
@@ -98,7 +108,9 @@ impl Way {
     /// Whether it rocks and lands.
     pub(super) fn rocks(&self) -> bool {
         match self {
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => true,
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+                true
+            }
             Self::Rolls(_) | Self::Slides(_) => false,
         }
     }
@@ -111,7 +123,8 @@ impl Way {
             | Self::Rolls(_)
             | Self::Slides(_)
             | Self::Spatial(None)
-            | Self::Stack(_) => None,
+            | Self::Stack(_)
+            | Self::Hull(_) => None,
         }
     }
 
@@ -119,10 +132,16 @@ impl Way {
     pub(super) fn glides(&self) -> Option<&Gliding> {
         match self {
             Self::Rolls(gliding) | Self::Slides(gliding) => Some(gliding),
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) => None,
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+                None
+            }
         }
     }
 }
+
+/// Friction under a body on its hull where the list gives none, lowest and highest: as for the tests on a
+/// shake table.
+pub const HULL_FRICTION_RATIO: (f64, f64) = (0.4, 0.8);
 
 /// The body that stands on an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -371,8 +390,8 @@ impl Subject {
     /// The same with the middle of its friction in place of the range, where numbers depend on it.
     pub(crate) fn with_middle_friction(self, settings: &Settings) -> Self {
         match self.way {
-            Way::Spatial(_) | Way::Stack(_) => {
-                let friction = middle(self.friction_ratio.unwrap_or(settings.friction_ratio));
+            Way::Spatial(_) | Way::Stack(_) | Way::Hull(_) => {
+                let friction = self.drawn_friction_ratio(settings).map_or(0.0, middle);
                 Self {
                     friction_ratio: Some((friction, friction)),
                     ..self
@@ -389,6 +408,7 @@ impl Subject {
             Way::Spatial(_) | Way::Stack(_) => {
                 Some(self.friction_ratio.unwrap_or(settings.friction_ratio))
             }
+            Way::Hull(_) => Some(self.friction_ratio.unwrap_or(HULL_FRICTION_RATIO)),
             // An assumed friction changes no number.
             Way::Planar | Way::Walled(_) => self.friction_ratio,
         }
@@ -471,6 +491,14 @@ impl Subject {
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
+        let way = match way {
+            Way::Planar if item.is_round => on_hull(item, height_m, thickness_m),
+            way => way,
+        };
+        if matches!(way, Way::Hull(_)) {
+            // It is alike about every axis.
+            axes.truncate(1);
+        }
         let too_mild = match way {
             _ if item.is_round => Some(TooMild::Round),
             Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
@@ -489,6 +517,18 @@ impl Subject {
             flat: flat.filter(|_| settings.dimensions == Dimensions::Three),
         })
     }
+}
+
+/// A round object, on its rim; in a plane where that is no body.
+fn on_hull(item: &Item, height_m: f64, diameter_m: f64) -> Way {
+    let mass_kg = item.mass_kg.unwrap_or(1.0);
+    // Feet of a round base are on a circle.
+    let outline = Outline::Circle(item.base_thickness_m.unwrap_or(diameter_m));
+    let body = upright(&outline, height_m, mass_kg, item.cg_height_m, None).ok();
+    let posed = body.and_then(|(body, volume_m3)| {
+        BodyInPose::new(&body, BodyKind::Cylinder, volume_m3, false, item.mass_kg, 1).ok()
+    });
+    posed.map_or(Way::Planar, |posed| Way::Hull(Arc::new(posed)))
 }
 
 /// The damping ratio c/(2√(k m)) that a cushion brings with it.

@@ -82,7 +82,9 @@ fn outcome<'a>(
             Model::Pads => match trial.subject.way {
                 Way::Spatial(_) => "compliant-3d",
                 Way::Stack(_) => "stack",
-                Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => "compliant",
+                Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(_) => {
+                    "compliant"
+                }
             },
         },
         has_fallen,

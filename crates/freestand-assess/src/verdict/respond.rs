@@ -4,12 +4,15 @@
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
+use freestand::hull::shake::Contact;
 use freestand::respond::{
-    Glide, Glider, Object, Outcome, Pads, Plane, Planes, Response, RigidPlane, Settings, Shaking,
-    Springs, respond,
+    Glide, Glider, Object, OnHull, Outcome, Pads, Plane, Planes, Response, RigidPlane, Settings,
+    Shaking, Springs, respond,
 };
 use freestand::sliding::{Clearance, Friction};
 use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
+
+use freestand_study::hull::BodyInPose;
 
 use crate::result::Axis;
 use crate::worlds::FloorOfWorld;
@@ -17,7 +20,8 @@ use crate::worlds::FloorOfWorld;
 use super::draw::{Draw, Drawn};
 use super::object::{Beside, Gliding, Upper, Way};
 use super::response::{
-    Lost, ModelResponse, PadMotion, PadResponse, RigidResponse, axis_motion, glided, pad_motion,
+    Lost, ModelResponse, PadMotion, PadResponse, RigidResponse, axis_motion, glided, on_hull,
+    pad_motion,
 };
 
 impl Drawn<'_> {
@@ -27,6 +31,7 @@ impl Drawn<'_> {
         let object = match &subject.way {
             Way::Rolls(gliding) => self.glider(gliding).map(Object::Rolls),
             Way::Slides(gliding) => self.glider(gliding).map(Object::Slides),
+            Way::Hull(body) => self.on_hull(body).map(|on| Object::Hull(Box::new(on))),
             Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
                 let plane = |axis| self.rigid_plane(axis);
                 self.about_axes(plane).map(Object::Rigid)
@@ -56,7 +61,7 @@ impl Drawn<'_> {
                 object.map(|object| Object::Spatial(object, along))
             }
             Way::Stack(upper) => self.stack(upper).map(|stack| Object::Stack(stack, along)),
-            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {
+            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(_) => {
                 self.in_planes(friction_ratio)
             }
         };
@@ -103,6 +108,19 @@ impl Drawn<'_> {
     fn about_axes<T>(self, of: impl FnMut(usize) -> Option<T>) -> Option<Planes<T>> {
         let axes = (0..self.subject.axes.len()).map(of);
         Planes::of(axes.collect::<Option<Vec<_>>>()?)
+    }
+
+    fn on_hull(self, body: &BodyInPose) -> Option<OnHull> {
+        let drawn = self.draw.hull?;
+        let (height, side) = self.draw.factors();
+        Some(OnHull {
+            body: body.standing.scaled([side, side, height], self.draw.mass()),
+            contact: Contact {
+                friction_ratio: self.draw.friction_ratio?,
+                ..drawn.contact
+            },
+            yaw_rad: drawn.yaw_rad,
+        })
     }
 
     fn glider(self, gliding: &Gliding) -> Option<Glider> {
@@ -196,6 +214,7 @@ impl Drawn<'_> {
                 let motion = |glide: Glide| glided(self, gliding, glide, through_m_s2);
                 planes.into_iter().map(motion).collect()
             }
+            (Response::Hull(found), _) => vec![on_hull(self, found, floor.pfa_m_s2)],
             _ => return Err(Lost::no_history()),
         };
         Ok(ModelResponse { outcome, axes })
@@ -220,7 +239,7 @@ impl Drawn<'_> {
                 fallen,
                 ..motion(lower)
             }],
-            Response::Rigid(_) | Response::Rolled(_) | Response::Slid(_) => {
+            Response::Rigid(_) | Response::Rolled(_) | Response::Slid(_) | Response::Hull(_) => {
                 return Err(Lost::no_history());
             }
         };

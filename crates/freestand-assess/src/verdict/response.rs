@@ -3,6 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
+use freestand::hull::shake::HullRocking;
 use freestand::respond::{Glide, Outcome, PadSummary, RespondError, Tilt};
 use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
@@ -34,6 +35,8 @@ pub(super) enum Moved {
     },
     /// It rolls or slides before it could rock.
     Glides(Glide),
+    /// It moves in three dimensions on the points of its hull.
+    OnHull(HullRocking),
 }
 
 impl AxisMotion {
@@ -41,21 +44,21 @@ impl AxisMotion {
     pub(super) fn rocking(&self) -> Option<&RockingSummary> {
         match &self.moved {
             Moved::Rocks { rocking, .. } => Some(rocking),
-            Moved::Glides(_) => None,
+            Moved::Glides(_) | Moved::OnHull(_) => None,
         }
     }
 
     pub(super) fn hit(&self) -> Option<&Hit> {
         match &self.moved {
             Moved::Rocks { hit, .. } => hit.as_ref(),
-            Moved::Glides(_) => None,
+            Moved::Glides(_) | Moved::OnHull(_) => None,
         }
     }
 
     pub(super) fn strike(&self) -> Option<&Strike> {
         match &self.moved {
             Moved::Rocks { strike, .. } => strike.as_ref(),
-            Moved::Glides(_) => None,
+            Moved::Glides(_) | Moved::OnHull(_) => None,
         }
     }
 
@@ -64,12 +67,27 @@ impl AxisMotion {
         self.hit().map_or(0.0, Hit::larger_g)
     }
 
+    /// Its largest rotation, or tilt; `None`: it rolls or slides \[rad\].
+    pub(super) fn peak_rotation_rad(&self) -> Option<f64> {
+        match &self.moved {
+            Moved::Rocks { rocking, .. } => Some(rocking.peak_rotation_rad),
+            Moved::OnHull(body) => Some(body.peak_tilt_rad),
+            Moved::Glides(_) => None,
+        }
+    }
+
     /// How it ended, in the words of an object that rocks.
     pub(super) fn outcome(&self) -> Rocking {
         match &self.moved {
             Moved::Rocks { rocking, .. } => rocking.outcome,
             Moved::Glides(glide) if glide.has_tripped => Rocking::Overturned,
             Moved::Glides(_) => Rocking::NoUplift,
+            Moved::OnHull(body) => match Outcome::on_hull(body) {
+                Outcome::Overturned => Rocking::Overturned,
+                Outcome::Unresolved => Rocking::Unresolved,
+                Outcome::Rocked { .. } => Rocking::Rocked,
+                _ => Rocking::NoUplift,
+            },
         }
     }
 
@@ -85,7 +103,11 @@ impl AxisMotion {
 
     /// 0 where it rolls or slides \[m\].
     pub(super) fn uplift_m(&self) -> f64 {
-        self.rocking().map_or(0.0, |rocking| rocking.uplift_m)
+        match &self.moved {
+            Moved::Rocks { rocking, .. } => rocking.uplift_m,
+            Moved::OnHull(body) => body.uplift_m,
+            Moved::Glides(_) => 0.0,
+        }
     }
 
     /// 0 where it rolls or slides \[m\].
@@ -332,6 +354,26 @@ pub(super) fn glided(
     });
     AxisMotion {
         moved: Moved::Glides(glide),
+        terms,
+    }
+}
+
+/// A body on its hull: what its landings do to what is inside is not calculated.
+pub(super) fn on_hull(
+    Drawn { subject, .. }: Drawn<'_>,
+    found: HullRocking,
+    floor_m_s2: f64,
+) -> AxisMotion {
+    let outcome = Outcome::on_hull(&found);
+    let terms = subject.capacity.as_ref().and_then(|capacity| {
+        if outcome == Outcome::Overturned {
+            return Some(Terms::OVERTURNED);
+        }
+        let is_at_rest = outcome == Outcome::Stood;
+        terms(capacity, None, is_at_rest, found.uplift_m, floor_m_s2)
+    });
+    AxisMotion {
+        moved: Moved::OnHull(found),
         terms,
     }
 }

@@ -611,6 +611,11 @@ fn of_note(note: &Note, found: &Assessment) -> String {
         Note::FeetPassWall => {
             "Its top and its face meet its wall, and its feet pass through it: it may fall more often.".to_owned()
         }
+        Note::OnHull => {
+            "It is followed in three dimensions on a stiff floor, by a model that said too little in tests on a shake \
+             table; its pads do not count, and the shock of its landings is not calculated."
+                .to_owned()
+        }
         Note::StackInPlane => {
             "The object and what stands on it move in the plane of the thickness, with the same pads and the same \
              friction under both. The shock is that of the object itself, and forces for a restraint leave out what \

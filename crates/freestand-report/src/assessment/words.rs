@@ -27,9 +27,7 @@ pub fn sign(decision: Decision) -> &'static str {
 /// Why the calculation of an object is too mild: what is calculated, after "It is".
 pub(crate) fn too_mild(why: TooMild) -> &'static str {
     match why {
-        TooMild::Round => {
-            "round: not calculated in three dimensions, but as the square prism around it"
-        }
+        TooMild::Round => "round, and calculated by a model that is too mild",
         TooMild::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
         TooMild::Glides => "free to roll or slide, which counts only where a stop overturns it",
     }

@@ -15,8 +15,8 @@ use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
 use crate::assessment::words::too_mild;
 use freestand_assess::one_object::{
-    AtScale, Earthquake, FloorPlace, NamedEarthquake, ObjectRequest, ObjectResult, Tally, Unused,
-    middle,
+    AtScale, Earthquake, FloorPlace, HULL_FRICTION_RATIO, NamedEarthquake, ObjectRequest,
+    ObjectResult, Tally, Unused, middle,
 };
 use freestand_assess::reason::Reason;
 use freestand_assess::result::{
@@ -283,6 +283,8 @@ answer_of!(ObjectReport as report {
     scales: Option<Vec<&Scaled>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
     decision: &'static str = report.found.decision.name();
     why: String = report.why.clone();
+    /// Whether its model is known to say too little: of a body on its hull.
+    model_bias: bool = report.found.model == Some(ObjectModel::Hull);
     close_call: Option<bool> = report.found.answers.as_ref().map(Answers::is_close);
     /// Earthquakes that would settle the question.
     worlds_needed: Option<u64> = report.found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from);
@@ -435,17 +437,22 @@ fn of_object(
     let around = &request.object.surroundings;
     let mut said = vec!["it stands on its full thickness".to_owned()];
     let settings = &study.assessment;
-    if item.restitution == Restitution::Housner && found.rolled.is_none() {
+    let is_on_hull = found.model == Some(ObjectModel::Hull);
+    if item.restitution == Restitution::Housner && found.rolled.is_none() && !is_on_hull {
         said.push("Housner's restitution".to_owned());
     }
     if request.object.friction_ratio.is_none() && found.rolled.is_none() {
-        let (low, high) = settings.friction_ratio;
-        let is_whole = found.in_space.is_some() || found.stacked.is_some();
+        let friction_ratio = match is_on_hull {
+            true => HULL_FRICTION_RATIO,
+            false => settings.friction_ratio,
+        };
+        let (low, high) = friction_ratio;
+        let is_whole = found.in_space.is_some() || found.stacked.is_some() || is_on_hull;
         said.push(
             match matches!(request.earthquake, Earthquake::Motions { .. }) {
                 true if is_whole => format!(
                     "friction {}, the middle of {low} to {high}",
-                    middle(settings.friction_ratio)
+                    middle(friction_ratio)
                 ),
                 false if is_whole => format!("friction {low} to {high}, drawn for each earthquake"),
                 _ => format!(
@@ -523,7 +530,10 @@ fn assumptions(
         .assumed_at(item.level_ratio.unwrap_or(0.0), request.units)
         .collect();
     said.extend(study.two_spectra_words());
+    let is_on_hull = found.model == Some(ObjectModel::Hull);
     said.push(match (object.cg_height_m, object.width_m) {
+        (None, _) if is_on_hull => "centre of gravity at half the height".to_owned(),
+        (Some(_), _) if is_on_hull => String::new(),
         (None, None) => {
             "centre of gravity at half the height; without a width it rocks about one axis only"
                 .to_owned()
@@ -552,6 +562,12 @@ fn assumptions(
         said.push("a level floor that carries it".to_owned());
     } else if matches!(found.model, Some(ObjectModel::Spatial | ObjectModel::Stack)) {
         said.push("on its pads alone".to_owned());
+    } else if is_on_hull {
+        said.push(
+            "in three dimensions on a stiff floor, turned in any direction, by a model that said too little in tests \
+             on a shake table: the upper end of the probability is 8 % or more; no shock is calculated"
+                .to_owned(),
+        );
     } else if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
     } else {

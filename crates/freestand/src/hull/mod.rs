@@ -7,7 +7,8 @@
 //! * [`poses`]: the poses in which a body can stand;
 //! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
 //! * [`contact`]: the few points of its hull with which it touches the floor;
-//! * [`shake`]: the body under a motion of the floor.
+//! * [`shake`]: the body under a motion of the floor;
+//! * [`shapes`]: prisms and cylinders, on their outline or on feet.
 //!
 //! Vectors are in the axes in which the body was given, from its centre of gravity, z upward.
 
@@ -15,6 +16,7 @@ pub mod barrier;
 pub mod contact;
 pub mod poses;
 pub mod shake;
+pub mod shapes;
 
 use thiserror::Error;
 

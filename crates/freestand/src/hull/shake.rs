@@ -18,7 +18,7 @@ use super::poses::StablePose;
 use super::{HullBody, HullError, Vector};
 use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
-use crate::space::{Shift, Turn, cross, dot, shift, turned, turned_back, turning};
+use crate::space::{Shift, Turn, cross, difference, dot, shift, turned, turned_back, turning};
 use crate::spatial::SpatialMotion;
 
 /// How a body touches the floor.
@@ -95,6 +95,8 @@ pub struct HullRocking {
     pub peak_tilt_rad: f64,
     /// When it was largest \[s\].
     pub peak_tilt_time_s: f64,
+    /// Largest uplift of a point of its base, from the width of the base and the largest tilt \[m\].
+    pub uplift_m: f64,
     /// How far its centre of gravity is from where it was, along the floor \[m\].
     pub moved_m: [f64; 2],
     /// When the history ended \[s\].
@@ -134,6 +136,53 @@ pub struct Standing {
     points_m: Vec<Vector>,
     poses: Vec<StablePose>,
     pose: usize,
+    /// The largest distance between two points of its base \[m\].
+    base_width_m: f64,
+    /// Below this share of gravity, no horizontal acceleration lifts it; 0 where that is not known.
+    quiet_ratio: f64,
+}
+
+/// Points nearer to the floor than this are on it, and a base is flat where no other point is nearer than this
+/// \[m\].
+const ON_FLOOR_M: f64 = 1e-5;
+const OFF_FLOOR_M: f64 = 5e-3;
+
+/// Half of the acceleration that lifts a rigid body on the flat base that these points have, over gravity: elastic
+/// contacts at most double what they feel. 0 where the base is not flat.
+fn quiet_ratio(points_m: &[Vector], pose: &StablePose) -> f64 {
+    let depth_m = |point: &Vector| pose.cg_height_m - dot(point, &pose.down);
+    let is_flat = points_m
+        .iter()
+        .map(depth_m)
+        .all(|depth_m| !(ON_FLOOR_M..OFF_FLOOR_M).contains(&depth_m));
+    if !is_flat {
+        return 0.0;
+    }
+    let axes = pose.axes();
+    let base = points_m.iter().filter(|point| depth_m(point) < ON_FLOOR_M);
+    let base: Vec<[f64; 2]> = base
+        .map(|point| [dot(point, &axes[0]), dot(point, &axes[1])])
+        .collect();
+    // The distance of the nearest edge is the least of these over all directions.
+    let reach_m = |degrees: u32| {
+        let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+        let along = base.iter().map(|[x, y]| x * cos + y * sin);
+        along.fold(0.0, f64::max)
+    };
+    let least_m = (0..360).map(reach_m).fold(f64::INFINITY, f64::min);
+    0.5 * least_m / pose.cg_height_m
+}
+
+/// The largest distance between two points of the base \[m\].
+fn base_width_m(points_m: &[Vector], pose: &StablePose) -> f64 {
+    let is_base = |point: &&Vector| pose.cg_height_m - dot(point, &pose.down) < OFF_FLOOR_M;
+    let base: Vec<&Vector> = points_m.iter().filter(is_base).collect();
+    let of_pair = |a: &Vector, b: &Vector| {
+        let apart = difference(a, b);
+        dot(&apart, &apart).sqrt()
+    };
+    let pairs = base.iter().flat_map(|a| base.iter().map(|b| of_pair(a, b)));
+    pairs.fold(0.0, f64::max)
 }
 
 impl HullBody {
@@ -141,10 +190,13 @@ impl HullBody {
     pub fn standing(&self, pose: usize) -> Option<Standing> {
         let poses = self.hull.stable_poses();
         let chosen = poses.get(pose)?;
+        let points_m = self.hull.contact_points_m(chosen);
         Some(Standing {
             mass_kg: self.mass_kg,
             inertia_kg_m2: self.inertia_kg_m2,
-            points_m: self.hull.contact_points_m(chosen),
+            quiet_ratio: quiet_ratio(&points_m, chosen),
+            base_width_m: base_width_m(&points_m, chosen),
+            points_m,
             poses,
             pose,
         })
@@ -152,6 +204,42 @@ impl HullBody {
 }
 
 impl Standing {
+    /// The body with its lengths along its axes and its mass multiplied by factors.
+    pub fn scaled(&self, lengths: [f64; 3], mass: f64) -> Self {
+        let stretched = |v: &Vector| [0, 1, 2].map(|i| lengths[i] * v[i]);
+        // C = ½ tr(J) I − J is the sum of m x xᵀ.
+        let half_trace = |m: &[Vector; 3]| 0.5 * (m[0][0] + m[1][1] + m[2][2]);
+        let half = half_trace(&self.inertia_kg_m2);
+        let sums = [0, 1, 2].map(|i| {
+            [0, 1, 2].map(|j| {
+                let of_trace = if i == j { half } else { 0.0 };
+                mass * lengths[i] * lengths[j] * (of_trace - self.inertia_kg_m2[i][j])
+            })
+        });
+        let trace = 2.0 * half_trace(&sums);
+        let inertia_kg_m2 =
+            [0, 1, 2].map(|i| [0, 1, 2].map(|j| if i == j { trace } else { 0.0 } - sums[i][j]));
+        let posed = |pose: &StablePose| {
+            let normal = [0, 1, 2].map(|i| pose.down[i] / lengths[i]);
+            let size = dot(&normal, &normal).sqrt();
+            StablePose {
+                down: normal.map(|x| x / size),
+                cg_height_m: pose.cg_height_m / size,
+            }
+        };
+        let points_m: Vec<Vector> = self.points_m.iter().map(stretched).collect();
+        let poses: Vec<StablePose> = self.poses.iter().map(posed).collect();
+        Self {
+            mass_kg: mass * self.mass_kg,
+            inertia_kg_m2,
+            quiet_ratio: quiet_ratio(&points_m, &poses[self.pose]),
+            base_width_m: base_width_m(&points_m, &poses[self.pose]),
+            points_m,
+            poses,
+            pose: self.pose,
+        }
+    }
+
     /// The points on which it is followed \[m\].
     pub fn points_m(&self) -> &[Vector] {
         &self.points_m
@@ -449,10 +537,12 @@ pub fn shake(
     motion: &SpatialMotion,
     gravity_m_s2: f64,
 ) -> Result<HullRocking, HullError> {
-    shake_observed(body, contact, yaw_rad, motion, gravity_m_s2, &mut |_| {})
+    followed(body, contact, yaw_rad, motion, gravity_m_s2, None)
 }
 
-/// As [`shake`], and passes where the body is at every sample of the motion.
+/// As [`shake`], and passes where the body is at every sample of the motion. The history is whole: [`shake`] leaves out
+/// what comes before the first acceleration that could lift a body with a flat base, and what comes after the
+/// last one once it rests.
 ///
 /// # Errors
 /// As [`shake`].
@@ -463,6 +553,17 @@ pub fn shake_observed(
     motion: &SpatialMotion,
     gravity_m_s2: f64,
     observe: &mut dyn FnMut(HullPoint),
+) -> Result<HullRocking, HullError> {
+    followed(body, contact, yaw_rad, motion, gravity_m_s2, Some(observe))
+}
+
+fn followed(
+    body: &Standing,
+    contact: &Contact,
+    yaw_rad: f64,
+    motion: &SpatialMotion,
+    gravity_m_s2: f64,
+    observe: Option<&mut dyn FnMut(HullPoint)>,
 ) -> Result<HullRocking, HullError> {
     let Contact {
         friction_ratio,
@@ -530,6 +631,8 @@ impl Watch {
             outcome,
             peak_tilt_rad: self.least_cos.clamp(-1.0, 1.0).acos(),
             peak_tilt_time_s: self.peak_s,
+            uplift_m: stepper.body.base_width_m
+                * (1.0 - self.least_cos * self.least_cos).max(0.0).sqrt(),
             moved_m: [0, 1].map(|i| stepper.place_m[i] - self.rest_m[i]),
             end_s: self.now_s,
         }
@@ -570,8 +673,11 @@ fn follow(
     yaw_rad: f64,
     given: [Option<&Motion>; 3],
     gravity_m_s2: f64,
-    observe: &mut dyn FnMut(HullPoint),
+    observe: Option<&mut dyn FnMut(HullPoint)>,
 ) -> HullRocking {
+    let is_whole = observe.is_some();
+    let nobody: &mut dyn FnMut(HullPoint) = &mut |_| {};
+    let observe = observe.unwrap_or(nobody);
     let mut stepper = Stepper::new(body, contact, yaw_rad, gravity_m_s2);
     let is_settled = stepper.settle();
     let mut watch = Watch::new(&stepper);
@@ -587,7 +693,27 @@ fn follow(
             one.accel_m_s2().get(sample).copied().unwrap_or(0.0)
         })
     };
-    for sample in 0..samples {
+    // The floor between a sample and the next one could lift it.
+    let is_strong = |sample: usize| {
+        [sample, sample + 1].into_iter().any(|sample| {
+            let [x, y, z] = [0, 1, 2].map(|axis| at(axis, sample));
+            x.hypot(y) >= body.quiet_ratio * (gravity_m_s2 + z)
+        })
+    };
+    let strong = match is_whole || body.quiet_ratio == 0.0 {
+        true => 0..samples,
+        false => {
+            let first = (0..samples).find(|sample| is_strong(*sample));
+            let last = (0..samples).rfind(|sample| is_strong(*sample));
+            first.unwrap_or(samples)..last.map_or(0, |last| last + 1)
+        }
+    };
+    watch.now_s = strong.start as f64 * dt_s;
+    let (mut rested, needed) = (0, stepper.steps(RESTING_S));
+    for sample in strong.start..samples {
+        if sample >= strong.end && rested > needed {
+            break;
+        }
         observe(watch.point(&stepper, watch.now_s));
         let [from, to] = [sample, sample + 1].map(|sample| [0, 1, 2].map(|axis| at(axis, sample)));
         for sub in 0..per_sample {
@@ -602,9 +728,10 @@ fn follow(
             }
         }
         watch.now_s = (sample + 1) as f64 * dt_s;
+        let is_slow = sample >= strong.end && stepper.speed_m_s() < RESTING_M_S;
+        rested = if is_slow { rested + per_sample } else { 0 };
     }
-    let mut rested = 0;
-    let needed = stepper.steps(RESTING_S);
+    rested = 0;
     let tail_s = stepper.longest_s;
     let mut next_s = watch.now_s;
     for _ in 0..stepper.steps(LONGEST_TAIL_S) {

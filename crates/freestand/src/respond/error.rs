@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use crate::compliant::CompliantError;
+use crate::hull::HullError;
 use crate::rocking::RockingError;
 use crate::sliding::SlidingError;
 
@@ -18,6 +19,9 @@ pub enum RespondError {
     /// On pads.
     #[error(transparent)]
     Compliant(#[from] CompliantError),
+    /// On the points of its hull.
+    #[error(transparent)]
+    Hull(#[from] HullError),
     /// More samples than a history may have.
     #[error("a history of {end_s} s at steps of {dt_s} s is too long")]
     TooLong {

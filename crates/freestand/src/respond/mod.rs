@@ -22,9 +22,10 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use crate::compliant::{CompliantWorld, rock_compliant_many};
+use crate::hull::shake::{HullRocking, shake};
 use crate::motion::Motion;
 use crate::rocking::{Base, Restitution, RockingError, RockingSummary, rock_between};
-use crate::spatial::{SpatialObject, Stack, StackPart};
+use crate::spatial::{SpatialMotion, SpatialObject, Stack, StackPart};
 use crate::wall::Walls;
 
 pub use error::RespondError;
@@ -33,7 +34,9 @@ pub use follow::{
     SpatialPoint, StackHistory, StackPoint,
 };
 pub use glide::Glide;
-pub use object::{Along, Glider, Object, Pads, Plane, Planes, RigidPlane, Shaking, Springs};
+pub use object::{
+    Along, Glider, Object, OnHull, Pads, Plane, Planes, RigidPlane, Shaking, Springs,
+};
 pub use outcome::{Outcome, Travelled};
 pub use pads::{PadSummary, Tilt};
 pub use settings::Settings;
@@ -53,6 +56,8 @@ pub enum Response {
     Spatial(PadSummary, Option<Tilt>),
     /// The lower body, and the one that fell first.
     Stack(PadSummary, Option<StackPart>),
+    /// On the points of its hull.
+    Hull(HullRocking),
 }
 
 impl Response {
@@ -68,6 +73,7 @@ impl Response {
             Self::Spatial(body, _) | Self::Stack(body, _) => {
                 Outcome::of(std::iter::once((body.outcome, body.lift_m)))
             }
+            Self::Hull(body) => Outcome::on_hull(body),
         }
     }
 }
@@ -131,6 +137,7 @@ pub fn respond(
             Object::Slides(glider) => Task::Slides(glider, shaking),
             Object::Spatial(object, along) => Task::Spatial(object, *along, shaking),
             Object::Stack(stack, along) => Task::Stack(stack, *along, shaking),
+            Object::Hull(body) => Task::Hull(body, shaking),
         });
     }
     let rigid = on_rigid_bases(&rigid, settings);
@@ -156,6 +163,16 @@ pub fn respond(
                 let (lower, fallen) = pads::stacked(stack, *along, shaking, settings)?;
                 Response::Stack(lower, fallen)
             }
+            Task::Hull(on, shaking) => {
+                let motion = SpatialMotion {
+                    x: shaking.x,
+                    y: shaking.y,
+                    vertical: shaking.vertical,
+                };
+                let gravity_m_s2 = settings.gravity_m_s2;
+                let (body, contact) = (&on.body, &on.contact);
+                Response::Hull(shake(body, contact, on.yaw_rad, &motion, gravity_m_s2)?)
+            }
         })
     };
     tasks.par_iter().map(done).collect()
@@ -170,6 +187,7 @@ enum Task<'a> {
     Slides(&'a Glider, &'a Shaking<'a>),
     Spatial(&'a SpatialObject, Along, &'a Shaking<'a>),
     Stack(&'a Stack, Along, &'a Shaking<'a>),
+    Hull(&'a OnHull, &'a Shaking<'a>),
 }
 
 /// What blocks on rigid bases do, each under its own motion, in their order. Blocks under the same

@@ -2,6 +2,7 @@
 
 use crate::block::Block;
 use crate::compliant::CompliantBase;
+use crate::hull::shake::{Contact, Standing};
 use crate::motion::Motion;
 use crate::rocking::{Base, Restitution};
 use crate::sliding::{Clearance, Friction};
@@ -132,6 +133,19 @@ pub enum Object {
     Spatial(SpatialObject, Along),
     /// It moves in a plane with another body on it, both on pads.
     Stack(Stack, Along),
+    /// It moves in three dimensions on the points of its hull, on a stiff floor.
+    Hull(Box<OnHull>),
+}
+
+/// A body on the points of its hull.
+#[derive(Debug, Clone)]
+pub struct OnHull {
+    /// The body in its pose.
+    pub body: Standing,
+    /// How it touches the floor.
+    pub contact: Contact,
+    /// How far it is turned from x to y of the floor \[rad\].
+    pub yaw_rad: f64,
 }
 
 /// An object in one plane of motion.

@@ -1,5 +1,6 @@
 //! What counts in decisions: how an object ended, in the worse of its planes.
 
+use crate::hull::shake::{HullOutcome, HullRocking};
 use crate::rocking::Outcome as Rocking;
 
 use super::glide::Glide;
@@ -40,6 +41,10 @@ pub struct Travelled {
     pub has_tripped: bool,
 }
 
+/// A point of an elastic base that rises no more than this has not lifted \[m\]: its contacts sink by up to
+/// 0.5 mm.
+const LIFTED_M: f64 = 1e-3;
+
 impl Outcome {
     /// Of an object that rocks, from how it ended in each plane and the uplift there \[m\].
     pub(super) fn of(planes: impl Iterator<Item = (Rocking, f64)> + Clone) -> Self {
@@ -56,6 +61,18 @@ impl Outcome {
             }
         } else {
             Self::Stood
+        }
+    }
+
+    /// Of a body on its hull: one that rests in another pose has fallen.
+    pub fn on_hull(body: &HullRocking) -> Self {
+        match body.outcome {
+            HullOutcome::Overturned | HullOutcome::Shifted(_) => Self::Overturned,
+            HullOutcome::Unresolved | HullOutcome::Unsettled => Self::Unresolved,
+            HullOutcome::Stood if body.uplift_m > LIFTED_M => Self::Rocked {
+                uplift_m: body.uplift_m,
+            },
+            HullOutcome::Stood => Self::Stood,
         }
     }
 

@@ -213,18 +213,22 @@ fn left_as_it_is(studies: &[(&str, &str, &str, &str)]) {
     }
 }
 
-/// A round object is never left as it is: no model follows it, and the square prism around it, whose
-/// numbers are shown, stands where a cylinder falls.
+/// A round object is followed on its rim, by a model that is too mild: the upper end of the probability that it falls is at
+/// least 8 %.
 #[test]
 fn what_is_round_is_never_left_as_it_is() {
-    round_ones("first = 2\nmost = 2\n");
+    round_ones("first = 2\nmost = 2\n", "0.05");
 }
 
 /// In enough worlds to leave the square one.
 #[test]
 #[ignore = "ten seconds: as many worlds as they need"]
 fn what_is_round_is_not_left_where_the_square_one_is() {
-    let found = round_ones("");
+    round_ones("", "0.05");
+    let found = round_ones("", "0.1");
+    let left = |id| [found.of(id, "decision"), found.of(id, "falls")];
+    assert_eq!(left("can"), ["leave", "stays"]);
+    assert_eq!(found.of("can", "p_overturn_high"), "0.08");
     assert_eq!(
         (
             found.of("square", "decision"),
@@ -242,29 +246,28 @@ fn what_is_round_is_not_left_where_the_square_one_is() {
     );
 }
 
-fn round_ones(worlds: &str) -> Assessed {
-    let text =
-        format!("[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 3\n[worlds]\n{worlds}");
+fn round_ones(worlds: &str, accepted: &str) -> Assessed {
+    let text = format!(
+        "[assessment]\naccepted = {accepted}\n[ground]\nplace = \"Melbourne\"\n[building]\nstoreys = 3\n[worlds]\n{worlds}"
+    );
     let header = "id,level_ratio,height [mm],thickness [mm],width [mm],shape,casters,stiffness [N/mm],mass [kg]\n";
     let rows = "square,0,1000,400,400,box,,,\ncan,0,1000,400,400,cylinder,,,\ncart,0,1000,400,400,cylinder,free,,\n\
                 pads,0,1000,400,400,cylinder,,500,80\nneedle,0,2000,60,60,cylinder,,,\n";
     let found = assess(&study(&text), &format!("{header}{rows}"));
-    for id in ["can", "cart", "pads"] {
+    let mild = ["can", "cart", "pads"].into_iter();
+    for id in mild.filter(|id| accepted == "0.05" || *id == "cart") {
         let row =
             ["decision", "falls", "close_call", "is_round"].map(|column| found.of(id, column));
         assert_eq!(row, ["restrain", "close", "true", "true"], "{id}");
         assert!(
-            found
-                .of(id, "why")
-                .contains("not calculated in three dimensions"),
+            found.of(id, "why").contains("a model that is too mild"),
             "{}",
             found.of(id, "why")
         );
     }
-    // The numbers are those of the prism.
     assert_eq!(
-        found.of("square", "p_overturn_high"),
-        found.of("can", "p_overturn_high")
+        [found.of("can", "model"), found.of("square", "model")],
+        ["hull-3d", "rock"]
     );
     found
 }
@@ -274,21 +277,21 @@ fn round_ones(worlds: &str) -> Assessed {
 #[ignore = "ten seconds: two objects in as many worlds as they need"]
 fn one_object_that_is_round_is_never_left_as_it_is() {
     let [square, round] = [false, true].map(|is_round| object(is_round, ("Melbourne", 3), None));
+    let of = |report: &_| {
+        let told = json(report);
+        ["model", "model_bias", "p_overturn_high"].map(|key| told[key].clone())
+    };
     assert_eq!(
-        (
-            <&str>::from(square.kind) == "may-fall",
-            <&str>::from(round.kind)
-        ),
-        (false, "may-fall")
+        serde_json::json!(of(&square)[..2]),
+        serde_json::json!(["rock", false])
     );
     assert_eq!(
-        (&json(&round)["close_call"], &json(&round)["decision"]),
-        (&true.into(), &"restrain".into())
+        serde_json::json!(of(&round)[..2]),
+        serde_json::json!(["hull-3d", true])
     );
-    assert!(
-        round.answer.contains("not calculated in three dimensions")
-            && round.warnings.len() > square.warnings.len()
-    );
+    assert!(of(&round)[2].as_f64().unwrap() >= 0.08);
+    let assumed = json(&round)["assumptions"].to_string();
+    assert!(assumed.contains("said too little"), "{assumed}");
 }
 
 /// 0 of 40 worlds leave up to 10.9 %: too few for 10 %, whatever happens in them. 44 are enough, and the

@@ -84,6 +84,7 @@ fn verdict_figures(item: &Item, found: &Assessment) -> Vec<(&'static str, String
         (Some(ObjectModel::Slide), _) => "the model of sliding",
         (Some(ObjectModel::Spatial), _) => "the model in three dimensions, on its pads",
         (Some(ObjectModel::Stack), _) => "the model of a stack, on its pads",
+        (Some(ObjectModel::Hull), _) => "the model in three dimensions, on a stiff floor",
         (Some(ObjectModel::RockWall), 0) => "the model on a rigid base: it does not rock",
         (_, by) => tier(by),
     };
@@ -189,6 +190,7 @@ fn model_words(found: &Assessment) -> String {
             "the study asks for three dimensions, and mass, pads and width are given"
         }
         Some(ObjectModel::Stack) => "another object stands on it",
+        Some(ObjectModel::Hull) => "it is round, so it moves in three dimensions on its rim",
     };
     format!("{}: {why}", found.model.map_or("", ObjectModel::name))
 }

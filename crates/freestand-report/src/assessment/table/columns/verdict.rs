@@ -281,7 +281,7 @@ pub(super) const COLUMNS: &[Column] = &[
     ),
     text(
         "model",
-        "its model: rock, rock-wall, compliant, roll, slide, compliant-3d, stack",
+        "its model: rock, rock-wall, compliant, roll, slide, compliant-3d, hull-3d, stack",
         |l| of_text(l, |found| found.model.map(ObjectModel::name)),
     ),
     share(

@@ -2,12 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use freestand::hull::HullBody;
-use freestand_input::problem::Problem;
-use parry3d_f64::math::Vector;
-use parry3d_f64::transformation::try_convex_hull;
-
-use crate::body::{Solid, about};
+use super::{Hull, HullBody, HullError};
 
 /// Corners of the polygon that stands for a circle: it is 0.03 % narrower between two of them.
 const OF_A_CIRCLE: u32 = 120;
@@ -60,8 +55,8 @@ impl Outline {
     }
 }
 
-/// A uniform upright body of this height and mass, on its outline or on feet: points of the floor from the middle of
-/// the outline, toes of no height.
+/// A uniform upright body of this height and mass, on its outline or on feet, and its volume \[m³\]. Feet are points of
+/// the floor, from the middle of the outline; they have no height.
 ///
 /// `cg_height_m` moves its centre of gravity up or down; its moments of inertia about it stay those of the
 /// uniform body.
@@ -74,30 +69,57 @@ pub fn upright(
     mass_kg: f64,
     cg_height_m: Option<f64>,
     feet_m: Option<&[[f64; 2]]>,
-) -> Result<Solid, Problem> {
-    let corners_m = outline.corners_m();
-    let at = |z: f64| move |[x, y]: &[f64; 2]| Vector::new(*x, *y, z);
-    let below = feet_m.unwrap_or(&corners_m).iter().map(at(0.0));
-    let points: Vec<Vector> = below.chain(corners_m.iter().map(at(height_m))).collect();
-    let unfit = |error: &dyn std::fmt::Display| {
-        Problem::value(
-            error.to_string(),
-            "check the sizes, the centre of gravity and the feet",
-        )
+) -> Result<(HullBody, f64), HullError> {
+    let corners_m = match feet_m {
+        Some(feet_m) => around(feet_m),
+        None => outline.corners_m(),
     };
-    let (points, faces) = try_convex_hull(&points).map_err(|error| unfit(&error))?;
-    let cg_m = [0.0, 0.0, cg_height_m.unwrap_or(0.5 * height_m)];
+    let cg_m = cg_height_m.unwrap_or(0.5 * height_m);
     let (area_m2, [of_x, of_y]) = outline.area();
     let high = height_m * height_m / 12.0;
-    let of = [of_x + high, of_y + high, of_x + of_y].map(|of| mass_kg * of);
-    let [x, y, z] = of;
+    let [x, y, z] = [of_x + high, of_y + high, of_x + of_y].map(|of| mass_kg * of);
     let inertia_kg_m2 = [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
-    let body =
-        about(cg_m, &points, &faces).and_then(|hull| HullBody::new(mass_kg, inertia_kg_m2, hull));
-    Ok(Solid {
-        body: body.map_err(|error| unfit(&error))?,
-        volume_m3: area_m2 * height_m,
-        cg_m,
-        is_hull: false,
-    })
+    let hull = prism(&corners_m, [-cg_m, height_m - cg_m])?;
+    let body = HullBody::new(mass_kg, inertia_kg_m2, hull)?;
+    Ok((body, area_m2 * height_m))
+}
+
+/// An upright prism between two heights, on corners that go round anticlockwise.
+fn prism(corners_m: &[[f64; 2]], heights_m: [f64; 2]) -> Result<Hull, HullError> {
+    let count = corners_m.len();
+    let at = |z: f64| move |[x, y]: &[f64; 2]| [*x, *y, z];
+    let [low, high] = heights_m;
+    let vertices = corners_m
+        .iter()
+        .map(at(low))
+        .chain(corners_m.iter().map(at(high)));
+    let sides = (0..count).flat_map(|one| {
+        let next = (one + 1) % count;
+        [[one, next, count + next], [one, count + next, count + one]]
+    });
+    let ends =
+        (2..count).flat_map(|one| [[0, one, one - 1], [count, count + one - 1, count + one]]);
+    Hull::new(vertices.collect(), sides.chain(ends).collect())
+}
+
+/// The convex polygon around points, anticlockwise (Andrew 1979).
+fn around(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    let mut polygon: Vec<[f64; 2]> = Vec::new();
+    for _ in 0..2 {
+        let start = polygon.len();
+        for point in &sorted {
+            while let [.., a, b] = polygon[start..]
+                && (b[0] - a[0]) * (point[1] - a[1]) <= (b[1] - a[1]) * (point[0] - a[0])
+            {
+                polygon.pop();
+            }
+            polygon.push(*point);
+        }
+        // It is the first one of the other half.
+        polygon.pop();
+        sorted.reverse();
+    }
+    polygon
 }
