@@ -175,7 +175,6 @@ pub struct ModelAnswers {
 /// The model of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
-#[serde(rename_all = "kebab-case")]
 pub enum ObjectModel {
     /// It stands freely on a rigid base.
     Rock,
@@ -188,13 +187,11 @@ pub enum ObjectModel {
     /// It slides on its base.
     Slide,
     /// It moves in three dimensions on its pads.
-    #[serde(rename = "compliant-3d")]
     #[strum(serialize = "compliant-3d")]
     Spatial,
     /// It moves in a plane on its pads, with another body on it.
     Stack,
     /// It moves in three dimensions on the points of its hull.
-    #[serde(rename = "hull-3d")]
     #[strum(serialize = "hull-3d")]
     Hull,
 }

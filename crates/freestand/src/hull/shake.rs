@@ -693,14 +693,15 @@ fn follow(
             one.accel_m_s2().get(sample).copied().unwrap_or(0.0)
         })
     };
-    // The floor between a sample and the next one could lift it.
+    // The floor between a sample and the next one could lift it, or slide from under it.
+    let quiet_ratio = body.quiet_ratio.min(0.5 * contact.friction_ratio);
     let is_strong = |sample: usize| {
         [sample, sample + 1].into_iter().any(|sample| {
             let [x, y, z] = [0, 1, 2].map(|axis| at(axis, sample));
-            x.hypot(y) >= body.quiet_ratio * (gravity_m_s2 + z)
+            x.hypot(y) >= quiet_ratio * (gravity_m_s2 + z)
         })
     };
-    let strong = match is_whole || body.quiet_ratio == 0.0 {
+    let strong = match is_whole || quiet_ratio == 0.0 {
         true => 0..samples,
         false => {
             let first = (0..samples).find(|sample| is_strong(*sample));
