@@ -1,5 +1,7 @@
 //! The shape of an object: a box, a cylinder, a regular polygon, on feet, or as it was scanned.
 
+use std::ops::RangeInclusive;
+use std::path::Path;
 use std::sync::Arc;
 
 use freestand::hull::HullError;
@@ -20,6 +22,9 @@ use crate::request::{Switch, one_of, request};
 
 /// How far the surface of a scan may be from the true one \[m\].
 const SCAN_ERROR_M: f64 = 0.002;
+
+/// Densities that objects have, from a hollow one of paper to one of platinum \[kg/m³\].
+const DENSITIES_KG_M3: RangeInclusive<f64> = 2.0..=25_000.0;
 
 /// The most feet.
 const MAX_FEET: usize = 100;
@@ -48,27 +53,34 @@ request! {
         /// Scan of the object, z upward: OBJ, STL, PLY, or binary glTF
         #[arg(long, value_name = "FILE", help_heading = "A scan")]
         pub scan: Option<Written>,
-        /// Unit of length of the scan; glTF is in metres
+        /// Unit of length of the scan (the glTF standard prescribes metres; exporters do not always follow it)
         #[arg(long, value_name = "UNIT", value_parser = one_of(SCAN_UNITS), help_heading = "A scan")]
         pub scan_unit: Option<Written>,
         /// The underside of the scan [default: flat]
         #[arg(long, value_name = "BASE", value_parser = one_of(SCAN_BASES), help_heading = "A scan")]
         pub scan_base: Option<Written>,
-        /// How far the surface of the scan may be from the true one: what is this near to the lowest point of a
-        /// flat base is on the floor [default: 2 mm]
+        /// How far the surface of the scan may be from the true one; with a flat base, everything within this
+        /// distance of the lowest point is taken to touch the floor [default: 2 mm]
         #[arg(long, value_name = "LENGTH", help_heading = "A scan")]
         pub scan_error: Option<Written>,
-        /// Let the convex hull take the place of a scan with holes or in several parts
+        /// Use the convex hull in place of a scan with holes or of several parts
         #[arg(long, action = clap::ArgAction::SetTrue, help_heading = "A scan")]
         pub scan_hull: Switch,
-        /// Stable pose in which the scanned object stands, by its number in `stable_poses`; 1 is the most upright
-        /// one [default: 1]
+        /// Stable pose in which the scanned object stands, by its number in `stable_poses`; others than 1, the most upright
+        /// one, need --scan-base measured [default: 1]
         #[arg(long, value_name = "N", help_heading = "A scan")]
         pub stand_on: Option<Written>,
-        /// Damping of the contacts of such a body with the floor, as a ratio [default: 20 %]
+    }
+}
+
+request! {
+    /// How a body touches the floor.
+    pub struct Contacts {
+        /// Damping of the contacts of a shape or a scan with the floor, as a ratio [default: 20 %]
         #[arg(long, value_name = "RATIO", help_heading = "The shape, in three dimensions")]
         pub contact_damping: Option<Written>,
-        /// How far three points of such a body sink into the floor under its weight [default: 0.1 mm]
+        /// How far three points of a shape or a scan sink into the floor under its weight [default: 0.1 mm for a scan, 0.01 mm
+        /// for a shape; less where the centre of gravity is lower than 250 mm]
         #[arg(long, value_name = "LENGTH", help_heading = "The shape, in three dimensions")]
         pub contact_sinking: Option<Written>,
     }
@@ -87,6 +99,15 @@ pub(crate) const KEYS: [&str; 11] = [
     "stand_on",
     "contact_damping",
     "contact_sinking",
+];
+
+/// Its keys of a scan alone.
+pub(crate) const OF_SCAN: [&str; 5] = [
+    "scan_unit",
+    "scan_base",
+    "scan_error",
+    "scan_hull",
+    "stand_on",
 ];
 
 /// The lengths of one unit of a scan \[m\].
@@ -125,39 +146,48 @@ pub(crate) enum ShapeName {
     Polygon(u32),
 }
 
+const SHAPE_HINT: &str =
+    "give box, cylinder, or polygon:N with a number of corners, such as polygon:8";
+
+/// The shape of this name.
+fn shape_of(text: &str) -> Result<ShapeName, Problem> {
+    let plain = text.trim().to_lowercase();
+    match plain.as_str() {
+        "box" | "prism" => return Ok(ShapeName::Box),
+        "cylinder" => return Ok(ShapeName::Cylinder),
+        "sphere" | "ball" => {
+            let message = "a sphere does not stand: it rolls away";
+            return Err(Problem::value(message, SHAPE_HINT));
+        }
+        _ => {}
+    }
+    let corners = plain.strip_prefix("polygon:").map(str::trim);
+    let message = match corners.map(str::parse::<u32>) {
+        Some(Ok(count @ 3..=MAX_CORNERS)) => return Ok(ShapeName::Polygon(count)),
+        Some(_) => format!("a polygon has from 3 to {MAX_CORNERS} corners"),
+        None => format!("`shape` \"{}\" is not known", shorten(text)),
+    };
+    Err(Problem::value(message, SHAPE_HINT))
+}
+
+/// Whether an object is neither a box nor a cylinder on its own outline.
+pub(crate) fn is_body(read: &WordReader<'_>, shape: Option<&Written>) -> bool {
+    let named = shape.map(|shape| shape_of(&shape.text()));
+    read.has("scan") || read.has("feet") || matches!(named, Some(Ok(ShapeName::Polygon(_))))
+}
+
 /// The shape that was named; `diameter` alone names a cylinder.
 pub(crate) fn named(read: &mut WordReader<'_>) -> Option<ShapeName> {
-    let Some(text) = read.one("shape") else {
-        return read.has("diameter").then_some(ShapeName::Cylinder);
-    };
-    let plain = text.trim().to_lowercase();
     let has_diameter = read.has("diameter");
-    let hint = "give box, cylinder, or polygon:N with a number of corners, such as polygon:8";
-    let named = match plain.as_str() {
-        "box" | "prism" if has_diameter => Err(Problem::value(
+    let Some(text) = read.one("shape") else {
+        return has_diameter.then_some(ShapeName::Cylinder);
+    };
+    let named = match shape_of(text) {
+        Ok(ShapeName::Box) if has_diameter => Err(Problem::value(
             "a box has a thickness and a width, and no diameter",
             "give both, or `shape = \"cylinder\"`",
         )),
-        "box" | "prism" => Ok(ShapeName::Box),
-        "sphere" | "ball" => Err(Problem::value(
-            "a sphere does not stand: it rolls away",
-            hint,
-        )),
-        "cylinder" => Ok(ShapeName::Cylinder),
-        _ => {
-            let corners = plain.strip_prefix("polygon:").map(str::trim);
-            match corners.map(str::parse::<u32>) {
-                Some(Ok(count @ 3..=MAX_CORNERS)) => Ok(ShapeName::Polygon(count)),
-                Some(_) => Err(Problem::value(
-                    format!("a polygon has from 3 to {MAX_CORNERS} corners"),
-                    hint,
-                )),
-                None => Err(Problem::value(
-                    format!("`shape` \"{}\" is not known", shorten(text)),
-                    hint,
-                )),
-            }
-        }
+        named => named,
     };
     if named.is_err() {
         // They may be right for the shape that was meant.
@@ -173,6 +203,17 @@ pub(crate) fn named(read: &mut WordReader<'_>) -> Option<ShapeName> {
     read.keep("shape", named)
 }
 
+/// The diameter of a round base \[m\]: its thickness has the same meaning.
+pub(crate) fn diameter(read: &mut WordReader<'_>) -> Option<f64> {
+    read.exclusive("diameter", "thickness");
+    read.pass(&["diameter"]);
+    let key = match read.has("thickness") {
+        true => "thickness",
+        false => "diameter",
+    };
+    block::length(read, key)
+}
+
 /// The shape of an object on cushions.
 pub(crate) fn on_cushions(read: &mut WordReader<'_>) -> spatial::ShapeName {
     match named(read) {
@@ -180,7 +221,7 @@ pub(crate) fn on_cushions(read: &mut WordReader<'_>) -> spatial::ShapeName {
         Some(ShapeName::Polygon(_)) => {
             read.note(
                 &["shape"],
-                "a polygon is calculated on a stiff floor alone",
+                "a polygon can be calculated only on a stiff floor",
                 "leave `base` and the cushion out, or give a box or a cylinder",
             );
             spatial::ShapeName::Prism
@@ -215,8 +256,12 @@ fn feet(read: &mut WordReader<'_>) -> Option<Vec<[f64; 2]>> {
 }
 
 /// How the body touches the floor.
-pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
+pub(crate) fn contact(read: &mut WordReader<'_>, body: Option<&BodyInPose>) -> Option<Contact> {
     let assumed = Contact::default();
+    let assumed = Contact {
+        sinking_m: assumed.sinking_m * body.map_or(1.0, BodyInPose::sinking_ratio),
+        ..assumed
+    };
     let friction = read.non_negative("friction", Dimension::Ratio);
     let damping = read.accepted(
         "contact_damping",
@@ -228,7 +273,7 @@ pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
         "contact_sinking",
         Dimension::Length,
         |length_m| (1e-6..=0.01).contains(&length_m),
-        ["from 1 µm to 10 mm", "such as \"0.1 mm\""],
+        ["from 0.001 mm to 10 mm", "such as \"0.1 mm\""],
     );
     let is_right = |key: &str, value: Option<f64>| value.is_some() || !read.has(key);
     let all_right = is_right("friction", friction)
@@ -242,7 +287,7 @@ pub(crate) fn contact(read: &mut WordReader<'_>) -> Option<Contact> {
 }
 
 /// The scanned body, in its pose.
-pub(crate) fn scanned(
+fn scanned(
     read: &mut WordReader<'_>,
     mass_kg: Option<f64>,
     files: &Files,
@@ -272,7 +317,7 @@ pub(crate) fn scanned(
         );
     }
     if base != Some(ScanBase::Measured) && pose > 1 {
-        let message = "the side on which another pose stands is known only of a measured scan";
+        let message = "only a scan with a measured base can stand in another pose";
         read.note(
             &["stand_on"],
             message,
@@ -291,7 +336,22 @@ pub(crate) fn scanned(
     };
     let of_mass = mass_kg.unwrap_or(1.0);
     let solid = scanned_body(&mesh, unit_m?, of_mass, leaking, &underside);
-    let solid = read.keep("scan", solid)?;
+    let in_file = |problem: Problem| problem.in_file(Path::new(path));
+    let solid = read.keep("scan", solid.map_err(in_file))?;
+    let density = of_mass / solid.volume_m3;
+    if mass_kg.is_some() && !DENSITIES_KG_M3.contains(&density) {
+        let message = format!(
+            "a scan of {} m³ with this mass has {} kg/m³",
+            number(solid.volume_m3, 3),
+            number(density, 3)
+        );
+        read.note(
+            &["scan_unit", "mass"],
+            message,
+            "correct the unit of the scan, or the mass",
+        );
+        return None;
+    }
     let kind = match underside {
         Underside::Measured => BodyKind::Scan,
         Underside::Flat(_) => BodyKind::ScanOnFlatBase,
@@ -303,13 +363,35 @@ pub(crate) fn scanned(
         is_hull,
         ..
     } = solid;
-    let posed = BodyInPose::new(&body, kind, volume_m3, is_hull, mass_kg, pose);
+    let error_m = match kind {
+        BodyKind::Scan => error_m.unwrap_or(0.0),
+        _ => within_m,
+    };
+    let posed = BodyInPose::new(&body, kind, volume_m3, is_hull, mass_kg, pose, error_m);
     let key = if pose > 1 { "stand_on" } else { "scan" };
     read.keep(key, posed).map(Arc::new)
 }
 
+/// The body in three dimensions that is asked for: by a scan, by its feet or by its shape.
+pub(crate) fn body(
+    read: &mut WordReader<'_>,
+    mass_kg: Option<f64>,
+    files: &Files,
+) -> Option<Arc<BodyInPose>> {
+    if read.has("scan") {
+        read.exclusive("scan", "shape");
+        read.pass(&["shape"]);
+        return scanned(read, mass_kg, files);
+    }
+    let is_named = read.has("shape");
+    match named(read) {
+        None if is_named => None,
+        name => shaped(read, name.unwrap_or(ShapeName::Box), mass_kg),
+    }
+}
+
 /// The body of a simple shape.
-pub(crate) fn shaped(
+fn shaped(
     read: &mut WordReader<'_>,
     name: ShapeName,
     mass_kg: Option<f64>,
@@ -322,13 +404,7 @@ pub(crate) fn shaped(
             sides[0].zip(sides[1]).map(|(x, y)| Outline::Box([x, y]))
         }
         ShapeName::Cylinder | ShapeName::Polygon(_) => {
-            read.exclusive("diameter", "thickness");
-            read.pass(&["diameter"]);
-            let key = match read.has("thickness") {
-                true => "thickness",
-                false => "diameter",
-            };
-            let diameter = block::length(read, key);
+            let diameter = diameter(read);
             diameter.map(|diameter_m| match name {
                 ShapeName::Polygon(count) => Outline::Polygon(count, diameter_m),
                 _ => Outline::Circle(diameter_m),
@@ -347,6 +423,20 @@ pub(crate) fn shaped(
             number(cg_m, 4)
         );
         read.note(&["cg_height"], message, "give a `cg_height` below `height`");
+        return None;
+    }
+    let reach = outline.reach_m();
+    let is_outside = |[x, y]: &[f64; 2]| x.abs() > 1.01 * reach[0] || y.abs() > 1.01 * reach[1];
+    if let Some([x, y]) = feet_m.iter().flatten().find(|foot| is_outside(foot)) {
+        let message = format!(
+            "the foot at {} mm, {} mm is outside the object, which reaches {} mm and {} mm from its middle",
+            number(1e3 * x, 4),
+            number(1e3 * y, 4),
+            number(1e3 * reach[0], 4),
+            number(1e3 * reach[1], 4)
+        );
+        let hint = "measure the feet from the middle of the outline; to outriggers, give the sizes around them";
+        read.note(&["feet"], message, hint);
         return None;
     }
     let solid = upright(
@@ -371,6 +461,6 @@ pub(crate) fn shaped(
         (ShapeName::Cylinder, _) => BodyKind::Cylinder,
         (ShapeName::Polygon(_), _) => BodyKind::Polygon,
     };
-    let posed = BodyInPose::new(&body, kind, volume_m3, false, mass_kg, 1);
+    let posed = BodyInPose::new(&body, kind, volume_m3, false, mass_kg, 1, 0.0);
     read.keep(key, posed).map(Arc::new)
 }

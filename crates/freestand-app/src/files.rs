@@ -6,7 +6,7 @@ use std::sync::Arc;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
-use freestand_scan::formats::read_mesh;
+use freestand_scan::formats::{parse_mesh, read_mesh};
 use freestand_scan::mesh::Mesh;
 use freestand_study::recorded::ReadMotion;
 
@@ -75,7 +75,8 @@ impl Files {
         match self.find(name)? {
             Content::Mesh(mesh) => Ok(mesh),
             Content::At(path) => Ok(Arc::new(read_mesh(&path)?.1)),
-            Content::Motion(_) | Content::Text(_) => Err(not_sent(name)),
+            Content::Text(text) => Ok(Arc::new(parse_mesh(text.as_bytes())?)),
+            Content::Motion(_) => Err(not_sent(name)),
         }
     }
 

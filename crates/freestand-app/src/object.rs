@@ -8,13 +8,13 @@ use freestand_assess::one_object::{
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{self, Dimension, UnitSystem};
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::Choices;
 use freestand_input::written::Written;
 use freestand_inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::Overrides;
 
-use crate::block::sizes;
+use crate::block::{self, sizes};
+use crate::body::{self, BodyShape};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::{NamedRecords, Records};
@@ -40,11 +40,9 @@ request! { question
         /// Height of the centre of gravity [default: half of the height]
         #[arg(long, value_name = "LENGTH", help_heading = "The object")]
         pub cg_height: Option<Written>,
-        /// Shape of its base; of a cylinder, --thickness is the diameter. A cylinder is calculated in three dimensions on
-        /// its rim, beside a wall as the square prism around it; both are too mild, and it is hardly ever said to
-        /// stand [default: box]
-        #[arg(long, value_name = "SHAPE", value_parser = one_of(BASES), help_heading = "The object")]
-        pub shape: Option<Written>,
+        /// Its shape, in three dimensions. A cylinder beside a wall is calculated as the square prism around it.
+        #[command(flatten)]
+        pub shape: BodyShape,
         /// Mass
         #[arg(long, value_name = "MASS", help_heading = "The object")]
         pub mass: Option<Written>,
@@ -133,9 +131,6 @@ request! { question
         pub seed: Option<Written>,
     }
 }
-
-/// The bases of objects: whether one is round.
-const BASES: Choices<bool> = &[(false, "box", "Rectangular"), (true, "cylinder", "Round")];
 
 request! {
     /// What a list says in the columns of the same names.
@@ -233,7 +228,7 @@ impl Object {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let named = self.records.named_alone(&mut read, &self.motion, files);
-        let object = described(&mut read);
+        let object = self.described(&mut read, files);
         let earthquake = self.earthquake(&mut read, files);
         let floor = floor(&mut read);
         let worlds = read.whole_within("worlds", 1..);
@@ -253,6 +248,64 @@ impl Object {
             read.problems.keep_comparisons(one_object::check(request));
         }
         Ok((read.problems.finish(request)?, named))
+    }
+
+    /// The object as its owner describes it.
+    fn described(&self, read: &mut WordReader<'_>, files: &Files) -> Option<one_object::Object> {
+        let mass_kg = read.positive("mass", Dimension::Mass);
+        let shape = self.shaped(read, mass_kg, files);
+        let rests_on = rests_on(read);
+        let tolerance = tolerance(read);
+        let friction_ratio = friction(read);
+        let surroundings = surroundings(read);
+        Some(one_object::Object {
+            mass_kg,
+            rests_on,
+            tolerance,
+            friction_ratio,
+            surroundings,
+            ..shape?
+        })
+    }
+
+    /// What is known of its shape alone.
+    fn shaped(
+        &self,
+        read: &mut WordReader<'_>,
+        mass_kg: Option<f64>,
+        files: &Files,
+    ) -> Option<one_object::Object> {
+        if !read.has("scan") {
+            let of_scan = [
+                "scan_unit",
+                "scan_base",
+                "scan_error",
+                "scan_hull",
+                "stand_on",
+            ];
+            read.idle(&of_scan, "there is no scan");
+        }
+        if body::is_body(read, self.shape.shape.as_ref()) {
+            if read.has("scan") {
+                let sizes = ["height", "thickness", "width", "diameter", "cg_height"];
+                read.idle(&sizes, "a scan has its own");
+            }
+            return body::body(read, mass_kg, files).map(one_object::Object::of_body);
+        }
+        let is_round = body::named(read) == Some(body::ShapeName::Cylinder);
+        let size = match is_round {
+            true => block::height(read).zip(body::diameter(read)),
+            false => sizes(read),
+        };
+        let width_m = read.positive("width", Dimension::Length);
+        let cg_height_m = read.positive("cg_height", Dimension::Length);
+        let (height_m, thickness_m) = size?;
+        Some(one_object::Object {
+            width_m,
+            is_round,
+            cg_height_m,
+            ..one_object::Object::of_size(height_m, thickness_m)
+        })
     }
 
     /// Exactly one earthquake, with the keys that belong to it.
@@ -319,32 +372,6 @@ impl Object {
             }
         }
     }
-}
-
-/// The object as its owner describes it.
-fn described(read: &mut WordReader<'_>) -> Option<one_object::Object> {
-    let size = sizes(read);
-    let width_m = read.positive("width", Dimension::Length);
-    let cg_height_m = read.positive("cg_height", Dimension::Length);
-    let is_round = read.choice("shape", BASES).unwrap_or(false);
-    let mass_kg = read.positive("mass", Dimension::Mass);
-    let rests_on = rests_on(read);
-    let tolerance = tolerance(read);
-    let friction_ratio = friction(read);
-    let surroundings = surroundings(read);
-    let (height_m, thickness_m) = size?;
-    Some(one_object::Object {
-        height_m,
-        thickness_m,
-        width_m,
-        is_round,
-        cg_height_m,
-        mass_kg,
-        rests_on,
-        tolerance,
-        friction_ratio,
-        surroundings,
-    })
 }
 
 /// What is around the object.

@@ -170,7 +170,7 @@ pub struct OneMotion {
     /// What was done to the samples.
     pub processing: Vec<String>,
     /// The second horizontal component of its file.
-    across: Option<Motion>,
+    pub(crate) across: Option<Motion>,
 }
 
 impl From<ReadMotion> for OneMotion {

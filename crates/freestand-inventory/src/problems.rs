@@ -129,7 +129,7 @@ kinds! {
         "write it in one of the usual words, or leave the cell empty if it is not known";
     AnchoredUnclear Doubt "does not clearly say that it is anchored, or its casters are free; it was assessed as free"
         "write yes or no; what is anchored does not roll";
-    Round Doubt "is the name of a round object; the calculation takes it for a box, which may stand where the round object falls"
+    Round Doubt "is the name of a round object, so it is calculated as a cylinder"
         "if it is not round, write box in a column shape";
     HiddenRow Doubt "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
         "show the row, or delete it if the object is no longer there";

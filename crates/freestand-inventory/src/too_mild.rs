@@ -21,6 +21,10 @@ pub enum TooMild {
     /// Its base is round: in three dimensions on its rim no test stands behind the model, and beside a wall it is followed
     /// as the square prism around it.
     Round,
+    /// It is followed on the points of its hull, and tests on a shake table fell more often.
+    OnHull,
+    /// It was scanned, but not the side on which it stands, or its scan has holes.
+    UnseenBase,
     /// On its pads, its feet pass through the wall beside it.
     FeetPassWall,
     /// It rolls or slides: an assessment judges its path, and a fragility only what a stop does to it.

@@ -66,7 +66,7 @@ pub fn scanned_body(
         .fold(0.0, f64::max);
     if !SIZES_M.contains(&size_m) {
         let message = format!(
-            "the scan is {} m large, which no object is",
+            "the scan is {} m across, which no object is",
             number(size_m, 3)
         );
         let hint = "correct the unit of the scan: m, cm, mm, in or ft";
@@ -84,14 +84,14 @@ pub fn scanned_body(
     let parts = mesh.parts();
     if parts > 1 && leaking == Leaking::Refuse {
         let message = format!("the scan has {parts} separate parts");
-        let hint = "keep the object alone, or let the hull of the scan take its place";
+        let hint = "keep the object alone, or use the hull of the scan with `scan_hull`";
         return Err(Problem::value(message, hint));
     }
     let is_tight = mesh.is_watertight() && parts == 1;
     if !is_tight && leaking == Leaking::Refuse {
-        let hint = "close its holes, or let the hull of the scan take its place";
+        let hint = "repair the mesh, or use the hull of the scan with `scan_hull`";
         return Err(Problem::value(
-            "the surface of the scan has holes, so that it encloses no volume",
+            "the surface of the scan does not close: it has holes, or triangles that are there twice or turned over",
             hint,
         ));
     }
@@ -104,9 +104,8 @@ pub fn scanned_body(
     // More than its hull is counted twice; next to nothing is a sheet with two sides.
     let filled = of.mass() / of_hull.mass();
     if !(1e-3..=1.0 + 1e-6).contains(&filled) {
-        let message =
-            "the surface of the scan passes through itself, or its triangles are there twice";
-        let hint = "repair the mesh, or let the hull of the scan take its place";
+        let message = "the surface of the scan encloses next to nothing, or more than its hull: it is a sheet, or passes through itself";
+        let hint = "repair the mesh: its surface must enclose the object once";
         return Err(Problem::value(message, hint));
     }
     let volume_m3 = of.mass();
@@ -124,7 +123,8 @@ pub fn scanned_body(
         Some(points) => try_convex_hull(&points),
     };
     let unfit = |error: &dyn std::fmt::Display| {
-        Problem::value(error.to_string(), "check the scan and the mass")
+        let hint = "check the scan and the mass; a thin object needs a smaller `scan_error`, and feet are in the axes of the scan";
+        Problem::value(error.to_string(), hint)
     };
     let (hull, faces) = hull.map_err(|error| unfit(&error))?;
     let hull = about(cg_m, &hull, &faces);

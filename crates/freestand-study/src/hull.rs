@@ -3,10 +3,11 @@
 use std::sync::Arc;
 
 use freestand::hull::barrier::Barrier;
+use freestand::hull::poses::StablePose;
 use freestand::hull::shake::{
     Contact, HullOutcome, HullPoint, HullRocking, Standing, shake_observed,
 };
-use freestand::hull::{HullBody, HullError};
+use freestand::hull::{HullBody, HullError, Vector};
 use freestand::motion::Motion;
 use freestand::respond::SpatialPoint;
 use freestand::spatial::SpatialMotion;
@@ -15,6 +16,9 @@ use freestand_input::words::number;
 use freestand_output::answer;
 
 use crate::spatial::ONE_REALISATION;
+
+/// A scan that is turned by more than this before it stands is said to be \[rad\].
+const TURNED_RAD: f64 = 0.035;
 
 /// A body whose barrier is that of a block of this slenderness angle hardly stands \[rad\]: what it takes to
 /// overturn a block of it is 0.03 g.
@@ -40,6 +44,16 @@ pub enum BodyKind {
 }
 
 impl BodyKind {
+    /// Whether nobody measured the side on which it stands.
+    pub fn is_unseen(self) -> bool {
+        matches!(self, Self::ScanOnFlatBase | Self::ScanOnFeet)
+    }
+
+    /// Whether it was scanned.
+    pub fn is_scan(self) -> bool {
+        self.is_unseen() || self == Self::Scan
+    }
+
     /// Its shape in every output.
     pub fn name(self) -> &'static str {
         match self {
@@ -48,8 +62,8 @@ impl BodyKind {
             Self::Polygon => "polygon",
             Self::OnFeet => "feet",
             Self::Scan => "scan",
-            Self::ScanOnFlatBase => "scan, flat base",
-            Self::ScanOnFeet => "scan, on feet",
+            Self::ScanOnFlatBase => "scan-flat-base",
+            Self::ScanOnFeet => "scan-on-feet",
         }
     }
 }
@@ -71,9 +85,30 @@ pub struct BodyInPose {
     pub mass_kg: Option<f64>,
     /// The number of its pose, from 1.
     pub pose: usize,
+    /// Its height \[m\].
+    pub height_m: f64,
+    /// How far the surface of a scan may be from the true one \[m\].
+    pub scan_error_m: f64,
 }
 
+/// The height of the centre of gravity from which on contacts sink as far as those of the rocks of the tests; those of
+/// smaller bodies sink less, in proportion \[m\].
+const OF_FULL_SINKING_M: f64 = 0.25;
+
+/// How far the contacts of a manufactured base sink, over those of a stone: with as much, a cylinder of 1.5 m would fall 5 %
+/// below the acceleration that lifts it.
+const MANUFACTURED_RATIO: f64 = 0.1;
+
 impl BodyInPose {
+    /// How far its contacts sink, over how far those of the rocks of the tests on a shake table do.
+    pub fn sinking_ratio(&self) -> f64 {
+        let of_size = (self.barrier.rest_m / OF_FULL_SINKING_M).min(1.0);
+        match self.kind.is_scan() {
+            true => of_size,
+            false => of_size * MANUFACTURED_RATIO,
+        }
+    }
+
     /// A body in its stable pose of this number, from 1; 1 is the most upright one.
     ///
     /// # Errors
@@ -85,19 +120,21 @@ impl BodyInPose {
         is_hull_of_scan: bool,
         mass_kg: Option<f64>,
         pose: usize,
+        scan_error_m: f64,
     ) -> Result<Self, Problem> {
         if pose == 1 {
             body.hull.standing().map_err(cannot_stand)?;
         }
         let Some(standing) = pose.checked_sub(1).and_then(|at| body.standing(at)) else {
             let count = body.hull.stable_poses().len();
-            let message = format!("the body has {count} stable poses, and none of number {pose}");
+            let message = format!("there is no stable pose {pose}: the body has {count}");
             return Err(Problem::value(
                 message,
                 format!("give a number from 1 to {count}"),
             ));
         };
         let barrier = body.hull.barrier(standing.pose());
+        let standing_down = standing.pose().down;
         Ok(Self {
             kind,
             standing,
@@ -106,8 +143,16 @@ impl BodyInPose {
             is_hull_of_scan,
             mass_kg,
             pose,
+            height_m: height_m(body, standing_down),
+            scan_error_m,
         })
     }
+}
+
+/// From the floor to the highest vertex \[m\].
+fn height_m(body: &HullBody, down: Vector) -> f64 {
+    let up = down.map(|x| -x);
+    body.hull.height_m(&down) + body.hull.height_m(&up)
 }
 
 fn cannot_stand(error: HullError) -> Problem {
@@ -144,10 +189,10 @@ answer! {
         /// Its volume.
         volume_m3: f64;
         cg_height_m: f64 = body.standing.pose().cg_height_m => "height of the centre of gravity";
-        tip_angle_rad: f64 = body.barrier.tilt_rad => "tilt at which it tips over its weakest side";
+        tip_angle_rad: f64 = body.barrier.tilt_rad => "tilt at which it overturns over its weakest side";
         /// The slenderness angle of the symmetric block whose centre of gravity must climb as far.
         barrier_angle_rad: f64 = body.barrier.angle_rad() => "angle of the block with the same barrier";
-        barrier_rise_m: f64 = body.barrier.rise_m => "rise of the centre of gravity until then";
+        barrier_rise_m: f64 = body.barrier.rise_m => "  its centre of gravity rises until then by";
         weakest_direction_rad: Option<f64> =
             (body.kind != BodyKind::Cylinder).then_some(body.barrier.toward_rad) => "direction of its weakest side, from x to y";
         /// The points on which it is followed, from the centre of gravity, in the axes in which it was given.
@@ -155,13 +200,13 @@ answer! {
         /// The number of the stable pose in which it stands.
         pose: usize;
         /// The poses in which it could stand, the most upright first.
-        stable_poses: Vec<PoseAnswer> = body.standing.poses().iter().map(PoseAnswer::of).collect();
+        stable_poses: Vec<PoseAnswer> = poses(body).iter().map(PoseAnswer::of).collect();
         /// Whether the convex hull of a scan takes its place.
         is_hull_of_scan: bool;
     }
 
     /// A pose in which a body stands.
-    pub struct PoseAnswer of (pose: &freestand::hull::poses::StablePose) {
+    pub struct PoseAnswer of (pose: &StablePose) {
         /// Its tilt from the axes in which the body was given.
         tilt_rad: f64 = pose.tilt().0;
         /// The direction of that tilt.
@@ -173,13 +218,15 @@ answer! {
     /// What a body did under a motion.
     pub struct HullRun of (rocking: &HullRocking, request: &HullRequest) {
         outcome: &'static str = outcome_name(rocking.outcome) => "outcome";
-        shifted_to: Option<usize> = shifted_to(rocking.outcome) => "rests in the stable pose of number";
+        shifted_to: Option<usize> = shifted_to(rocking.outcome) => "comes to rest in stable pose";
         end_time_s: f64 = rocking.end_s => "end";
         peak_tilt_rad: f64 => "largest tilt";
         /// The largest tilt divided by that at which it tips over its weakest side.
         peak_tilt_ratio: f64 = rocking.peak_tilt_rad / request.body.barrier.tilt_rad
-            => "  divided by that of tipping";
+            => "  divided by that at which it overturns";
         peak_tilt_time_s: f64 => "  at";
+        uplift_m: f64 => "uplift of a point of the base";
+        cg_rise_m: f64 => "rise of the centre of gravity";
         overturn_time_s: Option<f64> =
             (rocking.outcome == HullOutcome::Overturned).then_some(rocking.end_s) => "overturns";
         moved_x_m: f64 = rocking.moved_m[0] => "displacement of the centre of gravity, along the motion";
@@ -188,21 +235,34 @@ answer! {
 
     /// What a body on its hull did.
     pub struct HullAnswer of (rocking: &HullRocking, request: &HullRequest) {
+        run: HullRun = HullRun::of(rocking, request) => flat;
+        set: HullSetting = HullSetting::of(request) => flat;
+    }
+
+    /// A body and how it is followed, the same under every motion.
+    pub struct HullSetting of (request: &HullRequest) {
         /// What the body stands on.
         base: &'static str = "stiff";
         /// How it is followed.
         model: &'static str = "hull-3d";
-        run: HullRun = HullRun::of(rocking, request) => flat;
         /// The body.
         body: BodyAnswer = BodyAnswer::of(&request.body);
         friction_ratio: f64 = request.contact.friction_ratio => "friction";
         contact_damping_ratio: f64 = request.contact.damping_ratio => "damping of the contacts";
-        contact_sinking_m: f64 = request.contact.sinking_m => "sinking of three contacts";
+        contact_sinking_m: f64 = request.contact.sinking_m => "static compression of three contacts";
         /// How far the body is turned from the first motion, anticlockwise from above.
         orientation_rad: f64 = request.orientation_rad;
         /// Whether the probability that such a body falls is known to be too low.
         model_bias: bool = true;
         notes: Vec<String> = notes(&request.body) => "note";
+    }
+}
+
+/// All poses of a scan; another shape stands upright.
+fn poses(body: &BodyInPose) -> &[StablePose] {
+    match body.kind.is_scan() {
+        true => body.standing.poses(),
+        false => std::slice::from_ref(body.standing.pose()),
     }
 }
 
@@ -227,25 +287,32 @@ fn notes(body: &BodyInPose) -> Vec<String> {
     let mut notes = vec![
         ONE_REALISATION.to_owned(),
         // Mean of both rocks and shares that overturned: docs/validation.md.
-        "in 327 tests of two scanned rocks on a shake table this model said too little: a mean probability of 0.29 and \
-         0.21 of overturning, where 0.37 and 0.31 of them did"
+        "in 327 tests of two scanned rocks on a shake table this model underestimated overturning: it gave a mean \
+         probability of 0.29 and 0.21, and 37 % and 31 % overturned"
             .to_owned(),
     ];
     if matches!(
         body.kind,
         BodyKind::Cylinder | BodyKind::Polygon | BodyKind::OnFeet
     ) {
-        notes.push("no test of a round body or of one on feet stands behind its answer".to_owned());
+        notes.push("this model has not been tested on round bodies or bodies on feet".to_owned());
     }
     if body.kind == BodyKind::ScanOnFlatBase {
         notes.push(
-            "its underside is taken to be flat: a base that is curved by 2 mm falls far more easily"
+            "its underside is taken to be flat: on a base curved by 2 mm it would fall far more easily"
                 .to_owned(),
         );
     }
+    let turned_rad = body.standing.pose().tilt().0;
+    if body.pose == 1 && turned_rad > TURNED_RAD {
+        notes.push(format!(
+            "the scan was turned by {} degrees to stand",
+            number(turned_rad.to_degrees(), 2)
+        ));
+    }
     if body.is_hull_of_scan {
         notes.push(
-            "the scan has holes or several parts: its convex hull, filled evenly, takes its place"
+            "the scan has holes or several parts: its convex hull, with uniform density, is used instead"
                 .to_owned(),
         );
     }
@@ -294,7 +361,8 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
     })?;
     if rocking.outcome == HullOutcome::Unsettled {
         let message = format!(
-            "the body does not come to rest in its pose before the floor moves: it rises by {} mm to fall",
+            "the body does not come to rest in its pose before the floor moves: it falls if its centre of gravity rises \
+             by only {} mm",
             number(1e3 * request.body.barrier.rise_m, 2)
         );
         return Err(Problem::value(

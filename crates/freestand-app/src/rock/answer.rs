@@ -1,7 +1,7 @@
 //! The response: what an object did under each motion, as a document, a table and a figure.
 
 use freestand_input::problem::Problem;
-use freestand_output::answer::{Answer as _, Described as _, may_be_absent, object};
+use freestand_output::answer::{Answer as _, may_be_absent, object};
 use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
@@ -12,7 +12,7 @@ use freestand_report::figures::{
 use freestand_study::compliant::{CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
 use freestand_study::hull::{
-    BodyAnswer, HullAnswer, HullReport, HullRequest, HullRun, rock_on_hull, spatial_point,
+    HullAnswer, HullReport, HullRequest, HullRun, HullSetting, rock_on_hull, spatial_point,
 };
 use freestand_study::rock::{RockAnswer, RockReport, RockRequest, rock};
 use freestand_study::sliding::{SlideAnswer, SlideReport, SlideRequest, slide};
@@ -57,8 +57,9 @@ pub enum Results {
     },
     /// A body on its hull under each of several.
     Rows {
-        /// The body.
-        body: Box<BodyAnswer>,
+        /// The body, and how it is followed.
+        #[serde(flatten)]
+        set: Box<HullSetting>,
         /// What it did under each.
         rows: Vec<Row>,
     },
@@ -98,10 +99,9 @@ impl Results {
         let results = json!({"type": "array", "items": {"anyOf": motions}});
         let rows = json!({"type": "array", "items": of_motion(&HullRun::properties())});
         kinds.push(Map::from_iter([("results".to_owned(), results)]));
-        kinds.push(Map::from_iter([
-            ("body".to_owned(), BodyAnswer::schema()),
-            ("rows".to_owned(), rows),
-        ]));
+        let mut of_several = HullSetting::properties();
+        of_several.insert("rows".to_owned(), rows);
+        kinds.push(of_several);
         for kind in &mut kinds {
             kind.insert("plots".to_owned(), may_be_absent(strings.clone()));
             kind.insert("processing".to_owned(), strings.clone());
@@ -120,7 +120,7 @@ impl Results {
                 _ => None,
             };
             return Self::Rows {
-                body: Box::new(first.body.clone()),
+                set: Box::new(first.set.clone()),
                 rows: answers.iter().filter_map(row).collect(),
             };
         }
@@ -195,7 +195,12 @@ impl Meant {
             None => ("free rocking".to_owned(), None),
         };
         let upward = self.motions.vertical.first().map(|one| one.motion.clone());
-        let across = self.motions.across.clone();
+        let of_its_file = self
+            .motions
+            .horizontal
+            .get(index)
+            .and_then(|one| one.across.clone());
+        let across = of_its_file.or_else(|| self.motions.across.clone());
         let asked = self.asked.under(motion, across, upward, is_sampled);
         let done = match asked {
             Asked::Rigid(request) => {

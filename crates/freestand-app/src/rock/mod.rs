@@ -4,7 +4,7 @@ mod answer;
 mod resolve;
 
 use crate::block::{GeneralBlock, Rocking};
-use crate::body::BodyShape;
+use crate::body::{BodyShape, Contacts};
 use crate::cushion::CushionUnder;
 use crate::records::{Records, VerticalRecords};
 use crate::request::{Switch, one_of, request};
@@ -69,6 +69,9 @@ request! { question
         /// Its shape.
         #[command(flatten)]
         pub shape: BodyShape,
+        /// How a body in three dimensions touches the floor.
+        #[command(flatten)]
+        pub contacts: Contacts,
         /// What it is in three dimensions.
         #[command(flatten)]
         pub space: Space,

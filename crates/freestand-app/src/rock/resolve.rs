@@ -14,7 +14,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::compliant::{CompliantRequest, Turned, start, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::hull::HullRequest;
+use freestand_study::hull::{BodyKind, HullRequest};
 use freestand_study::recorded::Second;
 use freestand_study::rock::{RockRequest, until};
 use freestand_study::sliding::{Contact, SlideRequest, StopShock};
@@ -61,10 +61,16 @@ enum Kind {
     InSpace,
     AtWallOnPads,
     Stack,
-    Hull,
+    Shape,
+    Scan,
 }
 
 impl Kind {
+    /// Whether it is a body on the points of its hull.
+    fn is_body(self) -> bool {
+        matches!(self, Self::Shape | Self::Scan)
+    }
+
     /// What it is, for a value that does not apply to it.
     fn words(self) -> &'static str {
         match self {
@@ -74,7 +80,8 @@ impl Kind {
             Self::InSpace => "an object in three dimensions",
             Self::AtWallOnPads => "an object on cushions at a wall",
             Self::Stack => "a stack",
-            Self::Hull => "a shape or a scan in three dimensions",
+            Self::Shape => "a shape in three dimensions",
+            Self::Scan => "a scan",
         }
     }
 
@@ -89,6 +96,17 @@ impl Kind {
         let is_of_cushions =
             OF_CUSHIONS.contains(&key) || OF_SPACE.contains(&key) || OF_STACK.contains(&key);
         match key {
+            "cg_height" | "height" | "thickness" | "width" | "diameter" if self == Self::Scan => (
+                format!("`{key}` does not apply to a scan"),
+                "leave it out: the size of a scan follows from its file and `scan_unit`",
+            ),
+            _ if body::OF_SCAN.contains(&key) && self == Self::Shape => {
+                (only("a scan"), "add `scan`, or leave it out")
+            }
+            "initial_rotation" | "initial_velocity" | "duration" if self.is_body() => (
+                not(),
+                "leave it out: it starts from rest, and is followed until it rests or lies",
+            ),
             _ if body::KEYS.contains(&key) && on_cushions => (
                 only("a stiff floor"),
                 "leave it out, or leave `base` and the cushion out",
@@ -103,11 +121,11 @@ impl Kind {
                     "leave it out, or leave `sliding` or `casters` out",
                 )
             }
-            _ if OF_SPACE.contains(&key) && !on_cushions => (
+            _ if OF_SPACE.contains(&key) && !on_cushions && !self.is_body() => (
                 only("an object in three dimensions"),
                 "add `shape` for a stiff floor or `base = \"compliant\"` for cushions, or leave it out",
             ),
-            _ if is_of_cushions && !on_cushions && self != Self::Hull => (
+            _ if is_of_cushions && !on_cushions && !self.is_body() => (
                 only("a compliant base"),
                 "add `base = \"compliant\"`, or leave it out",
             ),
@@ -238,7 +256,7 @@ fn judged<'f>(
         .named(&mut reader.read, &request.motion, vertical, files);
     let is_still = named.is_none();
     let (kind, asked) = match kind {
-        Kind::Hull => (kind, reader.hull(is_still)),
+        Kind::Shape | Kind::Scan => (kind, reader.hull(is_still)),
         _ => reader.on_its_edges(kind, contact, is_still),
     };
     let second = reader.second(kind);
@@ -285,21 +303,17 @@ impl Reader<'_, '_> {
     fn hull(&mut self, is_still: bool) -> Option<Asked> {
         let read = &mut self.read;
         let mass_kg = read.positive("mass", Dimension::Mass);
-        let contact = body::contact(read);
         let gravity_m_s2 = block::gravity(read);
         let orientation = read.quantity("orientation", Dimension::Angle);
-        let body = if read.has("scan") {
-            read.exclusive("scan", "shape");
-            read.pass(&["shape"]);
-            body::scanned(read, mass_kg, self.files)
-        } else {
-            let is_wrong = read.has("shape");
-            let name = body::named(read);
-            match name {
-                None if is_wrong => None,
-                _ => body::shaped(read, name.unwrap_or(body::ShapeName::Box), mass_kg),
-            }
-        };
+        let body = body::body(read, mass_kg, self.files);
+        let contact = body::contact(read, body.as_deref());
+        if body
+            .as_ref()
+            .is_some_and(|body| body.kind == BodyKind::Scan)
+        {
+            let why = "one history has the scan as it was measured; `object` draws its error";
+            self.read.idle(&["scan_error"], why);
+        }
         if is_still {
             self.nothing_moves("give `motion`");
         }
@@ -341,20 +355,18 @@ impl Reader<'_, '_> {
             let contact = sliding::contact(&mut self.read);
             return (Kind::Slides, contact);
         }
-        match has_any(&["shape", "diameter", "feet", "scan"]) {
-            true => (Kind::Hull, None),
-            false => (Kind::Rigid, None),
-        }
+        let kind = match has_any(&["shape", "diameter", "feet"]) {
+            _ if self.read.has("scan") => Kind::Scan,
+            true => Kind::Shape,
+            false => Kind::Rigid,
+        };
+        (kind, None)
     }
 
     fn object(&mut self, kind: Kind) -> Object {
         let read = &mut self.read;
         let size = match kind {
-            Kind::InSpace if read.has("diameter") => {
-                read.exclusive("diameter", "thickness");
-                let height = block::height(read);
-                height.zip(read.positive("diameter", Dimension::Length))
-            }
+            Kind::InSpace if read.has("diameter") => block::height(read).zip(body::diameter(read)),
             _ => block::sizes(read),
         };
         let mass_kg = read.positive("mass", Dimension::Mass);
@@ -691,7 +703,7 @@ impl Reader<'_, '_> {
 
     /// Where the second horizontal component is.
     fn second(&mut self, kind: Kind) -> Second {
-        if !matches!(kind, Kind::InSpace | Kind::Hull) {
+        if !(kind == Kind::InSpace || kind.is_body()) {
             return Second::None;
         }
         self.read.one("motion_y");
@@ -713,9 +725,16 @@ impl Reader<'_, '_> {
 
     /// What several motions exclude.
     fn of_several(&mut self, kind: Kind) {
-        if !matches!(kind, Kind::Rigid | Kind::Slides | Kind::Hull) {
+        if !(matches!(kind, Kind::Rigid | Kind::Slides) || kind.is_body()) {
             let message = format!("several motions do not apply to {}", kind.words());
             self.read.note(&["motion"], message, "name one motion");
+        } else if self.read.has("motion_y") {
+            let message = "`motion_y` belongs to one motion, but several are given";
+            self.read.note(
+                &["motion_y"],
+                message,
+                "give one `motion` with its `motion_y` at a time, or `components` of each file",
+            );
         } else if self.read.has("vertical") {
             let message = "`vertical` belongs to one motion, but several are given";
             self.read.note(

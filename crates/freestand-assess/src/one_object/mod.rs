@@ -8,9 +8,12 @@ mod earthquake;
 mod row;
 mod shaking;
 
+use std::sync::Arc;
+
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
+use freestand_study::hull::BodyInPose;
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
@@ -65,6 +68,9 @@ pub struct Object {
     pub width_m: Option<f64>,
     /// Whether its base is round; its sides are then those of the square around it.
     pub is_round: bool,
+    /// Its shape, where it is neither a box nor round; its thickness is then that of the symmetric block with the same
+    /// energy barrier.
+    pub body: Option<Arc<BodyInPose>>,
     /// Height of the centre of gravity \[m\]; `None`: half the height.
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].
@@ -81,6 +87,17 @@ pub struct Object {
 }
 
 impl Object {
+    /// A body of which nothing else is known.
+    pub fn of_body(body: Arc<BodyInPose>) -> Self {
+        let cg_height_m = body.standing.pose().cg_height_m;
+        let thickness_m = 2.0 * cg_height_m * body.barrier.angle_rad().tan();
+        Self {
+            cg_height_m: Some(cg_height_m),
+            body: Some(Arc::clone(&body)),
+            ..Self::of_size(body.height_m, thickness_m)
+        }
+    }
+
     /// A box of which nothing but its size is known, in a room without walls.
     pub fn of_size(height_m: f64, thickness_m: f64) -> Self {
         Self {
@@ -88,6 +105,7 @@ impl Object {
             thickness_m,
             width_m: None,
             is_round: false,
+            body: None,
             cg_height_m: None,
             mass_kg: None,
             rests_on: None,
@@ -250,6 +268,9 @@ fn in_study<'r>(
         let message = format!("{} {verb} missing", Missing::listed(&missing));
         Problem::new(ProblemKind::Missing, message)
     })?;
+    if let Some(body) = &request.object.body {
+        subject = subject.on_hull(Arc::clone(body));
+    }
     if matches!(request.earthquake, Earthquake::Motions { .. }) {
         // Nothing is drawn for motions that are given.
         subject = subject.with_middle_friction(settings);
@@ -314,6 +335,7 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
         thickness_m,
         width_m,
         is_round,
+        body,
         mass_kg,
         rests_on,
         tolerance,
@@ -324,7 +346,22 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
     let mut note = |keys: &[&'static str], message: &str, hint: &str| {
         problems.push(Problem::value(message, hint).of(keys));
     };
-    if thickness_m > height_m {
+    if let Some(body) = body {
+        let is_alone = !surroundings.has_wall()
+            && surroundings.upper.is_none()
+            && surroundings.casters.is_none();
+        if !is_alone || rests_on.is_some() || tolerance.is_some() {
+            let shape = body.kind.name();
+            note(
+                &["shape", "scan", "feet"],
+                &format!(
+                    "an object of this shape ({shape}) is followed on a stiff floor, with nothing beside, under or on it, \
+                     and without its shock"
+                ),
+                "leave out walls, neighbours, casters, what stands on it, `on` and `tolerance`, or describe it as a box",
+            );
+        }
+    } else if thickness_m > height_m {
         note(
             &["thickness", "height"],
             "`thickness` is larger than `height`: were they swapped?",

@@ -76,6 +76,7 @@ fn values(request: &ObjectRequest) -> Vec<(Column, Value)> {
         thickness_m,
         width_m,
         is_round,
+        body: _,
         cg_height_m,
         mass_kg,
         rests_on,

@@ -75,6 +75,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
 fn too_mild(trial: &Trial) -> Option<TooMild> {
     let accepted = trial.member.accepted_ratio;
     let is_bounded = matches!(trial.subject.way, Way::Hull(_))
+        && trial.subject.too_mild != Some(TooMild::UnseenBase)
         && accepted > MILD_HIGH
         && (accepted >= 0.5 || !trial.falls_at_all());
     trial.subject.too_mild.filter(|_| !is_bounded)

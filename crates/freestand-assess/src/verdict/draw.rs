@@ -56,7 +56,18 @@ pub(super) struct HullDraw {
     pub(super) yaw_rad: f64,
     /// Its friction is that of the draw.
     pub(super) contact: Contact,
+    /// How much higher the centre of gravity of a scan is, over its height.
+    pub(super) cg_ratio: f64,
+    /// The error of the surface of a scan: directions and phases of waves \[rad\].
+    pub(super) waves_rad: [[f64; 2]; WAVES],
 }
+
+/// Waves in the error of a scan, each of 5 cm: about as long as what a scanner smooths.
+pub(super) const WAVES: usize = 3;
+pub(super) const WAVE_M: f64 = 0.05;
+
+/// The height of the centre of gravity of a scan, which is taken to be uniform, is known to this share.
+const CG_RATIO: f64 = 0.1;
 
 /// The ranges of what is not known of a contact, both uniform in their logarithms: as for the tests on a shake table
 /// (docs/validation.md). Less damping and softer contacts are less favourable.
@@ -64,7 +75,14 @@ const CONTACT_DAMPING_RATIO: (f64, f64) = (0.05, 0.5);
 const CONTACT_SINKING_M: (f64, f64) = (5e-5, 5e-4);
 
 impl HullDraw {
-    fn new(settings: &Settings, object: u64, world: u32, change: Change) -> Self {
+    /// `of_body` draws what belongs to its geometry.
+    fn new(
+        settings: &Settings,
+        object: u64,
+        world: u32,
+        change: Change,
+        mut of_body: impl FnMut(f64, f64) -> f64,
+    ) -> Self {
         let stream = |group: Group| {
             let repetition = change.repetition(group);
             object_stream(settings.seed, world, object, group, repetition)
@@ -86,6 +104,8 @@ impl HullDraw {
                 sinking_m,
                 ..Contact::default()
             },
+            cg_ratio: of_body(-CG_RATIO, CG_RATIO),
+            waves_rad: std::array::from_fn(|_| [0, 1].map(|_| of_body(0.0, TAU))),
         }
     }
 }
@@ -229,6 +249,11 @@ pub(super) fn draw(
         }
     });
 
+    let hull = matches!(subject.way, Way::Hull(_)).then(|| {
+        let of_body = |low: f64, high: f64| uniform_draw(&mut random, low, high);
+        HullDraw::new(settings, object, world, change, of_body)
+    });
+
     random = stream(Group::Model);
     let mut next = |median: f64, spread: f64| lognormal_draw(&mut random, median, spread);
     let (model, compliant) = (next(1.0, model), next(settings.compliant_factor, compliant));
@@ -248,8 +273,7 @@ pub(super) fn draw(
             .walls()
             .map(|_| wall(settings, object, world, change)),
         upper,
-        hull: matches!(subject.way, Way::Hull(_))
-            .then(|| HullDraw::new(settings, object, world, change)),
+        hull,
     }
 }
 

@@ -102,7 +102,7 @@ impl Way {
 
     /// Whether its histories are followed one by one, and take long.
     pub(super) fn is_slow(&self) -> bool {
-        matches!(self, Self::Spatial(_) | Self::Stack(_))
+        matches!(self, Self::Spatial(_) | Self::Stack(_) | Self::Hull(_))
     }
 
     /// Whether it rocks and lands.
@@ -414,6 +414,22 @@ impl Subject {
         }
     }
 
+    /// The same object on the points of its hull.
+    pub(crate) fn on_hull(mut self, body: Arc<BodyInPose>) -> Self {
+        self.axes.truncate(1);
+        // Its pads are not followed.
+        self.body = None;
+        self.too_mild = Some(match body.kind {
+            _ if body.is_hull_of_scan => TooMild::UnseenBase,
+            kind if kind.is_unseen() => TooMild::UnseenBase,
+            BodyKind::Cylinder => TooMild::Round,
+            _ => TooMild::OnHull,
+        });
+        self.flat = None;
+        self.way = Way::Hull(body);
+        self
+    }
+
     /// The same object with a wall at this gap behind it.
     pub(super) fn before_wall(&self, of: &Surroundings, gap_m: f64) -> Self {
         let beside = Beside {
@@ -491,20 +507,18 @@ impl Subject {
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
-        let way = match way {
-            Way::Planar if item.is_round => on_hull(item, height_m, thickness_m),
-            way => way,
+        let round = match &way {
+            Way::Planar | Way::Spatial(None) if item.is_round => {
+                round_body(item, height_m, thickness_m)
+            }
+            _ => None,
         };
-        if matches!(way, Way::Hull(_)) {
-            // It is alike about every axis.
-            axes.truncate(1);
-        }
         let too_mild = match way {
             _ if item.is_round => Some(TooMild::Round),
             Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
             _ => None,
         };
-        Ok(Self {
+        let subject = Self {
             level_ratio,
             axes,
             too_mild,
@@ -515,20 +529,23 @@ impl Subject {
             way,
             friction_ratio: item.friction_ratio,
             flat: flat.filter(|_| settings.dimensions == Dimensions::Three),
+        };
+        Ok(match round {
+            Some(body) => subject.on_hull(body),
+            None => subject,
         })
     }
 }
 
-/// A round object, on its rim; in a plane where that is no body.
-fn on_hull(item: &Item, height_m: f64, diameter_m: f64) -> Way {
+/// A round object; `None`: it is no body.
+fn round_body(item: &Item, height_m: f64, diameter_m: f64) -> Option<Arc<BodyInPose>> {
     let mass_kg = item.mass_kg.unwrap_or(1.0);
     // Feet of a round base are on a circle.
     let outline = Outline::Circle(item.base_thickness_m.unwrap_or(diameter_m));
-    let body = upright(&outline, height_m, mass_kg, item.cg_height_m, None).ok();
-    let posed = body.and_then(|(body, volume_m3)| {
-        BodyInPose::new(&body, BodyKind::Cylinder, volume_m3, false, item.mass_kg, 1).ok()
-    });
-    posed.map_or(Way::Planar, |posed| Way::Hull(Arc::new(posed)))
+    let (body, volume_m3) = upright(&outline, height_m, mass_kg, item.cg_height_m, None).ok()?;
+    let kind = BodyKind::Cylinder;
+    let posed = BodyInPose::new(&body, kind, volume_m3, false, item.mass_kg, 1, 0.0);
+    Some(Arc::new(posed.ok()?))
 }
 
 /// The damping ratio c/(2√(k m)) that a cushion brings with it.

@@ -78,6 +78,7 @@ fn outcome<'a>(
         id: &trial.member.item.id,
         world,
         model: match model {
+            Model::Rigid if matches!(trial.subject.way, Way::Hull(_)) => "hull-3d",
             Model::Rigid => "rigid",
             Model::Pads => match trial.subject.way {
                 Way::Spatial(_) => "compliant-3d",

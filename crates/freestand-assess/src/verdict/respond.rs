@@ -2,6 +2,8 @@
 //! what its response means in its world. [`Way`] decides how it is followed; an object in a plane is
 //! followed about both of its axes, and the worse one counts.
 
+use std::f64::consts::TAU;
+
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
 use freestand::hull::shake::Contact;
@@ -17,7 +19,7 @@ use freestand_study::hull::BodyInPose;
 use crate::result::Axis;
 use crate::worlds::FloorOfWorld;
 
-use super::draw::{Draw, Drawn};
+use super::draw::{Draw, Drawn, WAVE_M, WAVES};
 use super::object::{Beside, Gliding, Upper, Way};
 use super::response::{
     Lost, ModelResponse, PadMotion, PadResponse, RigidResponse, axis_motion, glided, on_hull,
@@ -113,10 +115,27 @@ impl Drawn<'_> {
     fn on_hull(self, body: &BodyInPose) -> Option<OnHull> {
         let drawn = self.draw.hull?;
         let (height, side) = self.draw.factors();
+        let mut standing = body.standing.scaled([side, side, height], self.draw.mass());
+        if body.kind.is_scan() {
+            // The amplitude of the sum of waves is the error, as the root of its mean square.
+            let amplitude_m = body.scan_error_m * (2.0 / WAVES as f64).sqrt();
+            let waves = drawn.waves_rad.map(|[toward, phase]| {
+                let (sin, cos) = toward.sin_cos();
+                let per_m = TAU / WAVE_M;
+                ([per_m * cos, per_m * sin], phase, amplitude_m)
+            });
+            let waves = match body.scan_error_m > 0.0 {
+                true => &waves[..],
+                false => &[],
+            };
+            let up_m = drawn.cg_ratio * standing.pose().cg_height_m;
+            standing = standing.uneven(up_m, waves);
+        }
         Some(OnHull {
-            body: body.standing.scaled([side, side, height], self.draw.mass()),
+            body: standing,
             contact: Contact {
                 friction_ratio: self.draw.friction_ratio?,
+                sinking_m: drawn.contact.sinking_m * body.sinking_ratio(),
                 ..drawn.contact
             },
             yaw_rad: drawn.yaw_rad,

@@ -112,7 +112,11 @@ impl AxisMotion {
 
     /// 0 where it rolls or slides \[m\].
     pub(super) fn cg_rise_m(&self) -> f64 {
-        self.rocking().map_or(0.0, |rocking| rocking.cg_rise_m)
+        match &self.moved {
+            Moved::Rocks { rocking, .. } => rocking.cg_rise_m,
+            Moved::OnHull(body) => body.cg_rise_m,
+            Moved::Glides(_) => 0.0,
+        }
     }
 }
 

@@ -9,7 +9,7 @@ use freestand::respond::{Object, Outcome};
 use freestand::worlds::Group;
 use rayon::prelude::*;
 
-use crate::result::Probability;
+use crate::result::{Probability, TooMild};
 use crate::worlds::{Again, FloorOfWorld};
 use freestand_input::problem::Problems;
 use freestand_study::study::assessment::Spread;
@@ -147,7 +147,8 @@ impl<'a> Trial<'a> {
             .filter_map(|lived| self.answer(lived, question, model))
             .collect();
         let found = Self::probability_of(context, &answers);
-        let is_mild = question == Question::Falls && matches!(self.subject.way, Way::Hull(_));
+        // A fall counts in both questions.
+        let is_mild = matches!(self.subject.way, Way::Hull(_));
         Probability {
             high: found.high.max(if is_mild { MILD_HIGH } else { 0.0 }),
             ..found
@@ -281,7 +282,9 @@ impl<'a> Trial<'a> {
             .iter()
             .filter(|lived| lived.slips && lived.is_for_pads())
             .count();
-        let cannot_stay = self.member.accepted_ratio <= MILD_HIGH || self.falls_at_all();
+        let cannot_stay = self.member.accepted_ratio <= MILD_HIGH
+            || self.subject.too_mild == Some(TooMild::UnseenBase)
+            || self.falls_at_all();
         let is_enough =
             matches!(self.subject.way, Way::Hull(_)) && cannot_stay && self.worlds() >= HULL_WORLDS;
         self.is_done = is_answered || is_enough || slipped >= SLIPPING_WORLDS;

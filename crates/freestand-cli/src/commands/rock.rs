@@ -154,10 +154,10 @@ fn text(results: &Results) -> String {
             let each = results.iter();
             followed_text(each.map(|one| (&*one.motion, one.answer.facts())), moves)
         }
-        Results::Rows { body, rows } => {
+        Results::Rows { set, rows } => {
             let each = rows.iter().map(|row| (&*row.motion, row.run.facts()));
             let rows = followed_text(each, Moves::OnHull);
-            format!("{}\n\n{rows}", lines(&body.facts()))
+            format!("{}\n\n{rows}", lines(&set.facts()))
         }
     }
 }

@@ -777,7 +777,7 @@ fn round_objects_may_fail_more_often_than_their_curves() {
             .collect();
         let round: Vec<&&str> = said
             .iter()
-            .filter(|text| text.contains("is too mild"))
+            .filter(|text| text.contains("underestimates how often it falls"))
             .collect();
         assert!(
             round.len() == 1 && round[0].ends_with("for example tank"),

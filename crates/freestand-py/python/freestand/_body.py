@@ -22,8 +22,8 @@ class Body:
     """An object of any shape, followed on the points of its hull, in three dimensions, on a stiff floor.
 
     What decides whether it falls is the true shape of its base: a base that is slightly curved rolls where a flat
-    one strikes and loses energy. In tests of two scanned rocks on a shake table the model said too little
-    (docs/validation.md): its `model_bias` is True.
+    one strikes and loses energy. In tests of two scanned rocks on a shake table the model underestimated overturning
+    (docs/validation.md): the `model_bias` of its results is True.
 
     `Body.from_mesh` takes a scan. Otherwise give the sizes.
 
@@ -169,6 +169,8 @@ def _triples(name: str, values: Any) -> bytes:
     array = np.asarray(values)
     if array.ndim != 2 or array.shape[1] != 3:
         raise bad(f"{name} of the mesh has the shape {array.shape}, not (n, 3)", "give a mesh of triangles")
+    if name == "faces" and array.dtype.kind not in "iu":
+        raise bad("the faces of the mesh are not whole numbers", "give a mesh of triangles")
     if name == "faces" and array.size and array.min() < 0:
         raise bad("a triangle of the mesh has a negative number", "number the vertices from 0")
     return data(name, array.reshape(-1).astype("f8")) or b""

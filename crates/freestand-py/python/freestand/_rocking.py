@@ -94,8 +94,8 @@ def rock(
         Of a compliant base alone: the rise from which the object is released [m], the number of contacts, a point (x, z)
         whose acceleration is reported [m], and the tangential stiffness [N/m] or its ratio to the vertical one.
     across, orientation_rad, contact_damping, contact_sinking_m : optional
-        Of a body alone: the motion to the left of `motion`, how far it is turned from it, anticlockwise from above [rad], the
-        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001).
+        Of a body alone: the motion to the left of `motion`, the angle by which it is turned, anticlockwise from above [rad], the
+        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001 of a scan, 0.00001 of a shape).
 
     Returns
     -------
@@ -133,10 +133,25 @@ def rock(
     return _followed(block, asked, files, motions, vertical, across, history)[0]
 
 
-def rock_each(body: Body, motions: Iterable[Motion], *, history: bool = False, **options: Any) -> list[BodyResult]:
-    """How a body responds to each of several motions; the options are those of `rock`."""
+def rock_each(
+    body: Body,
+    motions: Iterable[Motion],
+    *,
+    friction: float | None = None,
+    orientation_rad: float | None = None,
+    contact_damping: float | None = None,
+    contact_sinking_m: float | None = None,
+    gravity_m_s2: float | None = None,
+    history: bool = False,
+) -> list[BodyResult]:
+    """How a body responds to each of several motions; the options are as those of `rock`."""
+    of_kind("history", history, (bool, np.bool_), "True or False")
     asked, files = body._asked()
-    return _followed(body, asked | given(**options), files, several(motions), None, None, history)
+    asked |= given(
+        friction=friction, orientation_rad=orientation_rad, contact_damping=contact_damping,
+        contact_sinking_m=contact_sinking_m, gravity_m_s2=gravity_m_s2,
+    )  # fmt: skip
+    return _followed(body, asked, files, several(motions), None, None, bool(history))
 
 
 def _followed(
@@ -154,7 +169,7 @@ def _followed(
     text, columns = _freestand.rock(asked, horizontal, upward, to_left, files, history)
     document = json.loads(text)
     warn(document["warnings"])
-    shared = {name: document[name] for name in ("body", "warnings") if name in document}
+    shared = {name: value for name, value in document.items() if name != "rows"}
     rows = [row | shared for row in document.get("rows", [])] or [document]
     each = [motions[at] if motions else None for at in range(len(rows))]
     return [block._result(row, columns[at] if columns else None, each[at]) for at, row in enumerate(rows)]

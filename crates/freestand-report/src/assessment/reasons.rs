@@ -612,8 +612,8 @@ fn of_note(note: &Note, found: &Assessment) -> String {
             "Its top and its face meet its wall, and its feet pass through it: it may fall more often.".to_owned()
         }
         Note::OnHull => {
-            "It is followed in three dimensions on a stiff floor, by a model that said too little in tests on a shake \
-             table; its pads do not count, and the shock of its landings is not calculated."
+            "It is followed in three dimensions on a stiff floor, with a model that underestimated overturning in tests of \
+             two rocks on a shake table. Its pads are ignored, and the shock of its landings is not calculated."
                 .to_owned()
         }
         Note::StackInPlane => {

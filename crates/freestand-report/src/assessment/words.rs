@@ -27,7 +27,13 @@ pub fn sign(decision: Decision) -> &'static str {
 /// Why the calculation of an object is too mild: what is calculated, after "It is".
 pub(crate) fn too_mild(why: TooMild) -> &'static str {
     match why {
-        TooMild::Round => "round, and calculated by a model that is too mild",
+        TooMild::Round => {
+            "round, and calculated with a model that underestimates how often it falls"
+        }
+        TooMild::OnHull => {
+            "followed on its hull, with a model that underestimates how often it falls"
+        }
+        TooMild::UnseenBase => "a scan, but nobody measured the side on which it stands",
         TooMild::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
         TooMild::Glides => "free to roll or slide, which counts only where a stop overturns it",
     }

@@ -18,7 +18,7 @@ use freestand_output::figure::style::{
 };
 use freestand_output::figure::time::{peak, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
-use freestand_study::hull::{BodyInPose, spatial_point};
+use freestand_study::hull::{BodyInPose, BodyKind, spatial_point};
 use freestand_study::shape::size_words;
 use freestand_study::spatial::{SpatialReport, StackReport};
 
@@ -122,20 +122,27 @@ pub fn hull_figure(
     // As far as the farthest point.
     let reach_mm = before.iter().map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
     let (sin, cos) = (orientation_rad + body.barrier.toward_rad).sin_cos();
-    let weakest = [(0.0, 0.0), (reach_mm * cos, reach_mm * sin)];
+    // A cylinder is alike on every side.
+    let weakest = Some([(0.0, 0.0), (reach_mm * cos, reach_mm * sin)])
+        .filter(|_| body.kind != BodyKind::Cylinder);
     let colour = curve_style(4).colour;
+    let of_weakest = weakest.map(|_| Entry::line(colour, 1.4, None, "towards the weakest side"));
+    let mut plots: Vec<Plot> = weakest
+        .iter()
+        .map(|side| line(side, colour, 1.4, None))
+        .collect();
+    plots.extend([
+        markers(&before, GREY, MarkerShape::Circle, 2.5),
+        markers(&after, DARK, MarkerShape::Circle, 2.5),
+    ]);
+    let dots = [
+        Entry::new(Sign::Dot { colour: GREY }, "contact points at rest"),
+        Entry::new(Sign::Dot { colour: DARK }, "contact points at the end"),
+    ];
     let plan = Plan {
-        plots: vec![
-            line(&weakest, colour, 1.4, Some("2 2")),
-            markers(&before, GREY, MarkerShape::Circle, 2.5),
-            markers(&after, DARK, MarkerShape::Circle, 2.5),
-        ],
+        plots,
         reach: [before, after].concat(),
-        legend: vec![
-            Entry::new(Sign::Dot { colour: GREY }, "contact points at rest"),
-            Entry::new(Sign::Dot { colour: DARK }, "contact points at the end"),
-            Entry::line(colour, 1.4, Some("2 2"), "towards the weakest side"),
-        ],
+        legend: dots.into_iter().chain(of_weakest).collect(),
     };
     let height_mm = number(1e3 * body.barrier.rest_m, 4);
     let shape = body.kind.name();
@@ -144,7 +151,7 @@ pub fn hull_figure(
         title: format!("A {shape}, its centre of gravity {height_mm} mm above the floor, {motion}"),
         caption: format!(
             "A body ({shape}) under the motion “{motion}”: one realisation. Top: its tilt from where it rested, and its \
-             parts along the motion and to the left of it. Bottom: from above, the points on which it is followed, at \
+             parts to the right (along the motion) and to the back. Bottom: from above, the points on which it is followed, at \
              rest and at the end, and the path of the point below its centre of gravity; it falls most easily \
              towards its weakest side."
         ),
@@ -213,7 +220,7 @@ fn in_space(
         legend: curves
             .map(|(index, words)| curve(index, words))
             .chain(of_plan)
-            .chain([curve(3, "path of its centre")])
+            .chain([curve(3, "path of the centre of the base")])
             .collect(),
     };
     draw(page).map(Some)

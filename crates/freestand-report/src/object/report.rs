@@ -452,7 +452,7 @@ fn of_object(
             match matches!(request.earthquake, Earthquake::Motions { .. }) {
                 true if is_whole => format!(
                     "friction {}, the middle of {low} to {high}",
-                    middle(friction_ratio)
+                    number(middle(friction_ratio), 3)
                 ),
                 false if is_whole => format!("friction {low} to {high}, drawn for each earthquake"),
                 _ => format!(
@@ -564,8 +564,8 @@ fn assumptions(
         said.push("on its pads alone".to_owned());
     } else if is_on_hull {
         said.push(
-            "in three dimensions on a stiff floor, turned in any direction, by a model that said too little in tests \
-             on a shake table: the upper end of the probability is 8 % or more; no shock is calculated"
+            "in three dimensions on a stiff floor, turned in any direction, with a model that underestimated overturning \
+             in tests of two rocks: the upper end of the probability is 8 % or more; no shock is calculated"
                 .to_owned(),
         );
     } else if object.rests_on.is_none() || object.mass_kg.is_none() {

@@ -14,6 +14,9 @@ const MAX_TILT_RAD: f64 = 40.0 * PI / 180.0;
 const ERROR_M: f64 = 3e-5;
 const ERROR_M_PER_RAD: f64 = 3e-5 * 180.0 / PI;
 
+/// Vertices nearer to the floor than this are corners of a flat base \[m\]; a base of more than a few is flat.
+const ON_FLOOR_M: f64 = 1e-6;
+
 /// Steps of the tilt and of its direction: half a degree and two degrees.
 const TILTS: usize = 80;
 const DIRECTIONS: usize = 180;
@@ -42,9 +45,16 @@ impl Hull {
                 }
             }
         }
-        // The vertex that serves most of those which are left, again and again.
+        // Of a flat base all corners count: without some of them a round one would have better and worse sides.
         let mut is_open = vec![true; directions.len()];
         let mut chosen = Vec::new();
+        let is_on_floor = |vertex: &Vector| pose.cg_height_m - dot(vertex, &pose.down) < ON_FLOOR_M;
+        let corners = self.vertices_m().iter().zip(&serves);
+        for (corner, served) in corners.filter(|(vertex, _)| is_on_floor(vertex)) {
+            served.iter().for_each(|at| is_open[*at] = false);
+            chosen.push(*corner);
+        }
+        // The vertex that serves most of those which are left, again and again.
         loop {
             let gain = |served: &Vec<usize>| served.iter().filter(|at| is_open[**at]).count();
             let best = serves

@@ -95,6 +95,8 @@ pub struct HullRocking {
     pub peak_tilt_rad: f64,
     /// When it was largest \[s\].
     pub peak_tilt_time_s: f64,
+    /// Largest rise of its centre of gravity \[m\].
+    pub cg_rise_m: f64,
     /// Largest uplift of a point of its base, from the width of the base and the largest tilt \[m\].
     pub uplift_m: f64,
     /// How far its centre of gravity is from where it was, along the floor \[m\].
@@ -147,8 +149,11 @@ pub struct Standing {
 const ON_FLOOR_M: f64 = 1e-5;
 const OFF_FLOOR_M: f64 = 5e-3;
 
-/// Half of the acceleration that lifts a rigid body on the flat base that these points have, over gravity: elastic
-/// contacts at most double what they feel. 0 where the base is not flat.
+/// What is nearer to the floor than this belongs to the underside of a scanned body \[m\].
+const UNDERSIDE_M: f64 = 0.05;
+
+/// A fifth of the acceleration that lifts a rigid body on the flat base that these points have, over gravity. Elastic
+/// contacts amplify weak shaking, but what they lift then is less than a millimetre. 0 where the base is not flat.
 fn quiet_ratio(points_m: &[Vector], pose: &StablePose) -> f64 {
     let depth_m = |point: &Vector| pose.cg_height_m - dot(point, &pose.down);
     let is_flat = points_m
@@ -170,7 +175,7 @@ fn quiet_ratio(points_m: &[Vector], pose: &StablePose) -> f64 {
         along.fold(0.0, f64::max)
     };
     let least_m = (0..360).map(reach_m).fold(f64::INFINITY, f64::min);
-    0.5 * least_m / pose.cg_height_m
+    0.2 * least_m / pose.cg_height_m
 }
 
 /// The largest distance between two points of the base \[m\].
@@ -237,6 +242,39 @@ impl Standing {
             points_m,
             poses,
             pose: self.pose,
+        }
+    }
+
+    /// The body with its centre of gravity higher by `up_m`, and with a base that waves displace: each is its wave vector
+    /// along x and y of the body \[1/m\], its phase \[rad\] and its amplitude \[m\].
+    pub fn uneven(&self, up_m: f64, waves: &[([f64; 2], f64, f64)]) -> Self {
+        let down = self.pose().down;
+        let displaced = |point: &Vector| {
+            let depth_m = self.pose().cg_height_m - dot(point, &down);
+            let wave = |([x, y], phase, amplitude_m): &([f64; 2], f64, f64)| {
+                amplitude_m * (x * point[0] + y * point[1] + phase).cos()
+            };
+            let of_waves: f64 = match depth_m < UNDERSIDE_M {
+                true => waves.iter().map(wave).sum(),
+                false => 0.0,
+            };
+            [0, 1, 2].map(|i| point[i] + (up_m + of_waves) * down[i])
+        };
+        let posed = |pose: &StablePose| StablePose {
+            cg_height_m: pose.cg_height_m + up_m * dot(&pose.down, &down),
+            ..*pose
+        };
+        let points_m: Vec<Vector> = self.points_m.iter().map(displaced).collect();
+        let poses: Vec<StablePose> = self.poses.iter().map(posed).collect();
+        let quiet_ratio = match waves.is_empty() {
+            true => quiet_ratio(&points_m, &poses[self.pose]),
+            false => 0.0,
+        };
+        Self {
+            quiet_ratio,
+            points_m,
+            poses,
+            ..self.clone()
         }
     }
 
@@ -597,6 +635,7 @@ struct Watch {
     rest_turn: Turn,
     least_cos: f64,
     peak_s: f64,
+    rise_m: f64,
     now_s: f64,
 }
 
@@ -612,6 +651,7 @@ impl Watch {
             rest_turn: stepper.turn,
             least_cos: 1.0,
             peak_s: 0.0,
+            rise_m: 0.0,
             now_s: 0.0,
         }
     }
@@ -619,6 +659,7 @@ impl Watch {
     /// Whether it has overturned.
     #[inline(always)]
     fn has_fallen(&mut self, stepper: &Stepper, now_s: f64) -> bool {
+        self.rise_m = self.rise_m.max(stepper.place_m[2] - self.rest_m[2]);
         let cos = dot(&stepper.down(), &self.rest_down);
         if cos < self.least_cos {
             (self.least_cos, self.peak_s) = (cos, now_s);
@@ -631,6 +672,7 @@ impl Watch {
             outcome,
             peak_tilt_rad: self.least_cos.clamp(-1.0, 1.0).acos(),
             peak_tilt_time_s: self.peak_s,
+            cg_rise_m: self.rise_m,
             uplift_m: stepper.body.base_width_m
                 * (1.0 - self.least_cos * self.least_cos).max(0.0).sqrt(),
             moved_m: [0, 1].map(|i| stepper.place_m[i] - self.rest_m[i]),

@@ -4,8 +4,9 @@ use std::f64::consts::TAU;
 
 use super::{Hull, HullBody, HullError};
 
-/// Corners of the polygon that stands for a circle: it is 0.03 % narrower between two of them.
-const OF_A_CIRCLE: u32 = 120;
+/// Corners of the polygon that stands for a circle, symmetrical about both axes: it is 0.2 % narrower between two of
+/// them.
+const OF_A_CIRCLE: u32 = 48;
 
 /// The outline of an upright body from above.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +35,14 @@ impl Outline {
                 .to_vec(),
             Self::Circle(diameter_m) => on_circle(OF_A_CIRCLE, diameter_m),
             Self::Polygon(count, diameter_m) => on_circle(count, diameter_m),
+        }
+    }
+
+    /// How far it reaches from its middle along x and along y \[m\].
+    pub fn reach_m(&self) -> [f64; 2] {
+        match *self {
+            Self::Box(sides_m) => sides_m.map(|side_m| 0.5 * side_m),
+            Self::Circle(diameter_m) | Self::Polygon(_, diameter_m) => [0.5 * diameter_m; 2],
         }
     }
 
