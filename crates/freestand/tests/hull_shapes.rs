@@ -22,9 +22,9 @@ fn each_tips_over_its_nearest_edge() {
     let (tilt, toward) = pass(&Outline::Box([0.3, 0.5]), None);
     assert!(near(tilt, (0.15_f64 / 0.5).atan()), "{tilt}");
     assert!(toward.sin().abs() < 2e-3, "{toward}");
-    // Between two corners of the polygon of a circle: cos(π/120) of the radius.
+    // Between two corners of the polygon of a circle: cos(π/48) of the radius.
     let (tilt, _) = pass(&Outline::Circle(0.3), None);
-    let expected = (0.15 * (PI / 120.0).cos() / 0.5).atan();
+    let expected = (0.15 * (PI / 48.0).cos() / 0.5).atan();
     assert!(near(tilt, expected), "{tilt} {expected}");
     let (tilt, toward) = pass(&Outline::Polygon(6, 0.3), None);
     assert!(near(tilt, (0.15 * (PI / 6.0).cos() / 0.5).atan()), "{tilt}");

@@ -43,6 +43,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "vertical",
         "motion_y",
         "cushion",
+        "scan",
         "station_xml",
         "scale_to_spectrum",
         "damage_boundary",

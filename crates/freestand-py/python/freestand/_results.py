@@ -393,6 +393,7 @@ class ObjectResult(Result):
     p_exceed: float | None
     p_exceed_low: float | None
     p_exceed_high: float | None
+    model_bias: bool
     models_agree: bool | None
     clearance_m: float
     sliding: str
