@@ -311,7 +311,7 @@ impl Reader<'_, '_> {
             .as_ref()
             .is_some_and(|body| body.kind == BodyKind::Scan)
         {
-            let why = "one history has the scan as it was measured; `object` draws its error";
+            let why = "one history has the scan as it was measured; a verdict draws its error";
             self.read.idle(&["scan_error"], why);
         }
         if is_still {

@@ -49,7 +49,10 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         width_m,
     }
     .check()?;
-    for finding in &findings {
+    // The sizes of a body stand for its energy barrier: its density is that of its volume.
+    let is_of_body =
+        |finding: &&Finding| request.object.body.is_some() && finding.column == Some(Column::Mass);
+    for finding in findings.iter().filter(|finding| !is_of_body(finding)) {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),

@@ -7,7 +7,9 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from . import _freestand
-from ._convert import Numbers, PathLike, bad, flag, given, path_text, removed_on_failure, sizes_m, threads_given
+from ._block import Files
+from ._body import Body
+from ._convert import Numbers, PathLike, bad, flag, given, of_kind, path_text, removed_on_failure, sizes_m, threads_given
 from ._convert import inventory as as_file
 from ._convert import study_file, warn
 from ._ground import TargetArguments, target_words
@@ -34,11 +36,20 @@ Study: TypeAlias = "PathLike | Mapping[str, Any]"
 
 
 def check_object(
-    height_m: float,
-    thickness_m: float,
+    height_m: float | None = None,
+    thickness_m: float | None = None,
     *,
     width_m: float | None = None,
     shape: str | None = None,
+    diameter_m: float | None = None,
+    feet: str | None = None,
+    scan: PathLike | None = None,
+    scan_unit: str | None = None,
+    scan_base: str | None = None,
+    scan_error_m: float | None = None,
+    scan_hull: bool | None = None,
+    stand_on: int | None = None,
+    body: Body | None = None,
     cg_height_m: float | None = None,
     mass_kg: float | None = None,
     stiffness_n_m: float | None = None,
@@ -86,7 +97,15 @@ def check_object(
     width_m, cg_height_m, mass_kg : float, optional
         Size across the thickness [m], height of the centre of gravity [m], mass [kg].
     shape : str, optional
-        "box" or "cylinder", of which `thickness_m` is the diameter; a cylinder is never said to stand.
+        "box", "cylinder" or "polygon:N".
+    diameter_m : float, optional
+        Diameter of a cylinder, or of the circle through the corners of a polygon, in place of `thickness_m` [m].
+    feet : str, optional
+        Points on which it stands, such as "-0.2 m, -0.1 m; 0.2 m, -0.1 m; 0 m, 0.2 m".
+    scan, scan_unit, scan_base, scan_error_m, scan_hull, stand_on : optional
+        A scan in place of sizes, as in `Body.from_mesh`.
+    body : Body, optional
+        In place of all these.
     stiffness_n_m : float, optional
         Stiffness of everything under one edge [N/m].
     cushion : str, optional
@@ -134,7 +153,9 @@ def check_object(
     >>> fs.check_object(1.8, 0.5, motions=motion.scale(3.5)).motions_lifted
     1
     """
-    sizes_m(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
+    lengths = given(height_m=height_m, thickness_m=thickness_m, width_m=width_m, cg_height_m=cg_height_m, upper_height_m=upper_height_m)
+    sizes_m(**lengths)
+    of_kind("body", body, Body, "a freestand.Body")
     asked = given(
         height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
         mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
@@ -144,10 +165,16 @@ def check_object(
         wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m, wall_restitution=wall_restitution,
         casters=casters, rolling_resistance=rolling_resistance, clearance_m=clearance_m,
         upper_height_m=upper_height_m, upper_thickness_m=upper_thickness_m, upper_mass_kg=upper_mass_kg,
-        worlds=worlds, seed=seed, units="si",
+        worlds=worlds, seed=seed, units="si", diameter_m=diameter_m, feet=feet, scan_unit=scan_unit, scan_base=scan_base,
+        scan_error_m=scan_error_m, scan_hull=flag("scan_hull", scan_hull), stand_on=stand_on,
     )  # fmt: skip
+    files: Files = {**study_file(study)} | ({} if scan is None else {"scan": (scan, None)})
+    if body is not None:
+        values, own = body._asked()
+        asked |= values
+        files |= own
     records = [motion._record for motion in ([] if motions is None else several(motions))]
-    result = ObjectResult._of(_freestand.check_object(records, asked, study_file(study), threads_given(threads)))
+    result = ObjectResult._of(_freestand.check_object(records, asked, files, threads_given(threads)))
     warn(result.warnings)
     return result
 

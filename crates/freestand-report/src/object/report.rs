@@ -435,7 +435,10 @@ fn of_object(
     found: &Assessment,
 ) -> Vec<String> {
     let around = &request.object.surroundings;
-    let mut said = vec!["it stands on its full thickness".to_owned()];
+    let mut said = Vec::new();
+    if request.object.body.is_none() {
+        said.push("it stands on its full thickness".to_owned());
+    }
     let settings = &study.assessment;
     let is_on_hull = found.model == Some(ObjectModel::Hull);
     if item.restitution == Restitution::Housner && found.rolled.is_none() && !is_on_hull {
