@@ -53,6 +53,17 @@ def test_several_motions_give_a_result_each():
     assert turned.outcome == "overturned"
 
 
+def test_an_object_may_be_a_body():
+    column = fs.Body(height_m=1, diameter_m=0.2, feet_m=[(-0.09, 0), (0.05, 0.07), (0.05, -0.07)])
+    found = fs.check_object(body=column, motions=motion(0.6))
+    assert (found.model, found.model_bias, found.decision) == ("hull-3d", True, "restrain")
+    scan = SimpleNamespace(vertices=corners(), faces=np.array(FACES))
+    found = fs.check_object(body=fs.Body.from_mesh(scan, "m", base="measured"), motions=motion(0.15))
+    assert found.motions_overturned == 0
+    with pytest.raises(fs.BadValue, match="nothing beside, under or on it"):
+        fs.check_object(body=column, motions=motion(0.6), wall_gap_m=0.1)
+
+
 def test_what_is_no_body_is_refused():
     for bad, words in [
         (lambda: fs.Body.from_mesh(3, "m"), "must be a path or a mesh"),

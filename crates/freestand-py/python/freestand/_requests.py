@@ -168,7 +168,10 @@ def check_object(
         worlds=worlds, seed=seed, units="si", diameter_m=diameter_m, feet=feet, scan_unit=scan_unit, scan_base=scan_base,
         scan_error_m=scan_error_m, scan_hull=flag("scan_hull", scan_hull), stand_on=stand_on,
     )  # fmt: skip
-    files: Files = {**study_file(study)} | ({} if scan is None else {"scan": (scan, None)})
+    files: Files = {}
+    files.update(study_file(study))
+    if scan is not None:
+        files["scan"] = (scan, None)
     if body is not None:
         values, own = body._asked()
         asked |= values
