@@ -31,7 +31,7 @@ objects.sort_values("rank")[["rank", "item", "floor", "decision", "p_overturn", 
 # %%
 cylinders = objects[objects["item"].str.contains("oxygen", case=False)].iloc[0]
 cylinders["decision"]                   # → restrain
-cylinders["p_overturn"]                 # → 0.65
+cylinders["p_overturn"]                 # → 1.0
 
 # %% [markdown]
 # The reason of each verdict is a sentence. Objects whose interval still contains the accepted

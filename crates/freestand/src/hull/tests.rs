@@ -291,3 +291,57 @@ fn what_cannot_be_followed_is_said() {
     let found = shake(&body, &Contact::default(), 0.0, &along_x(&coarse), 9.81);
     assert_eq!(found.outcome, HullOutcome::Overturned);
 }
+
+/// A cylinder under two components of noise whose strength rises and falls: what comes before the first and after the last
+/// strong sample decides nothing, and a factor of one changes nothing.
+#[test]
+fn what_is_left_out_decides_nothing() {
+    let (body, _) = super::shapes::upright(
+        &super::shapes::Outline::Circle(0.23),
+        1.46,
+        78.0,
+        None,
+        None,
+    )
+    .unwrap();
+    let standing = body.standing(0).unwrap();
+    let same = standing.scaled([1.0; 3], 1.0);
+    let noise = |seed: u32, strength: f64| {
+        let mut state = seed;
+        let mut smooth = 0.0;
+        let accel = (0..3000).map(|i| {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            let white = f64::from(state >> 8) / f64::from(1_u32 << 24) - 0.5;
+            smooth += 0.05 * (white - smooth);
+            let rising = (std::f64::consts::PI * f64::from(i) / 3000.0).sin().powi(4);
+            strength * rising * smooth
+        });
+        Motion::new(0.01, accel.collect()).unwrap()
+    };
+    let (mut stood, mut fell) = (0, 0);
+    for seed in 0..4 {
+        // Too weak to lift it, and too strong for it to stand.
+        let strength = [10.0, 18.0][seed as usize % 2];
+        let (x, y) = (noise(2 * seed + 1, strength), noise(2 * seed + 2, strength));
+        let motion = SpatialMotion {
+            x: Some(&x),
+            y: Some(&y),
+            vertical: None,
+        };
+        let contact = Contact {
+            sinking_m: 1e-5,
+            ..Contact::default()
+        };
+        let short = shake(&standing, &contact, 0.3, &motion, 9.81);
+        let scaled = shake(&same, &contact, 0.3, &motion, 9.81);
+        let whole =
+            shake::shake_observed(&standing, &contact, 0.3, &motion, 9.81, &mut |_| {}).unwrap();
+        assert_eq!(short.outcome, scaled.outcome);
+        assert_eq!(short.outcome, whole.outcome);
+        match short.outcome {
+            HullOutcome::Stood => stood += 1,
+            _ => fell += 1,
+        }
+    }
+    assert_eq!((stood, fell), (2, 2));
+}
