@@ -11,6 +11,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_study::building::MAX_STOREYS;
+use freestand_study::hull::body::Form;
 use freestand_study::resolve::Overrides;
 
 use crate::block::{self, sizes};
@@ -292,7 +293,7 @@ impl Object {
             }
             return body::body(read, mass_kg, files).map(one_object::Object::of_body);
         }
-        let is_round = body::named(read) == Some(body::ShapeName::Cylinder);
+        let is_round = body::named(read) == Some(Form::Cylinder);
         let size = match is_round {
             true => block::height(read).zip(body::diameter(read)),
             false => sizes(read),

@@ -48,6 +48,7 @@ fn hashed(study: &Study, inventory: &Inventory, part: usize) -> Value {
         "settings": settings(&study.assessment),
         "inventory": {"sha256": inventory.sha256, "sheet": inventory.sheet, "reading": inventory.read_with},
         "libraries": hashes(&inventory.libraries),
+        "scans": hashes(&inventory.scans),
     })
 }
 
@@ -225,6 +226,7 @@ mod tests {
             carried: Vec::new(),
             items: Vec::new(),
             libraries: Vec::new(),
+            scans: Vec::new(),
             read_with: String::new(),
             findings: Vec::new(),
             warnings: Vec::new(),

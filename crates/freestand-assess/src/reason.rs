@@ -92,6 +92,8 @@ pub enum Missing {
     Thickness,
     /// Sizes that a block can have.
     Geometry,
+    /// A shape, feet or a scan that can be used.
+    Shape,
     /// Its width.
     Width,
     /// Its mass.
@@ -115,6 +117,7 @@ impl Missing {
             Self::Height => "its height",
             Self::Thickness => "its thickness",
             Self::Geometry => "a size that a block can have",
+            Self::Shape => "a shape that can be used",
             Self::Width => "its width",
             Self::Mass => "its mass",
             Self::UpperMass => "the mass of what stands on it",

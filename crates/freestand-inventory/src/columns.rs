@@ -64,7 +64,7 @@ macro_rules! columns {
         }
 
         /// All columns, in the order of the template and of [`Column`].
-        pub static COLUMNS: [ColumnSpec; 53] = [$(ColumnSpec {
+        pub static COLUMNS: [ColumnSpec; 56] = [$(ColumnSpec {
             column: Column::$column,
             name: $name,
             holds: $holds,
@@ -135,7 +135,8 @@ columns! {
          the loss of function or property is rated high" "falls";
     Anchored "anchored" Answer, "" Usual
         "Whether it is anchored: yes or no; an anchored object is listed and not rocked" "no";
-    RestsOn "rests_on" Text, "" Usual "What it stands on, in words" "four levelling feet";
+    RestsOn "rests_on" Text, "" Usual "What it stands on, in words; or its feet as points from the middle of its outline: -200 mm, -150 mm; 200 mm, \
+         -150 mm; 0 mm, 180 mm" "four levelling feet";
     WallGap "wall_gap" Quantity(Length), "mm" Usual
         "Distance from its back to the wall; 0: it touches; empty: there is no wall" "50";
     NeighbourGap "neighbour_gap" Quantity(Length), "mm" Usual
@@ -160,9 +161,17 @@ columns! {
     Notes "notes" Text, "" Usual "Notes" "photo 12";
     Dimensions "dimensions" Sizes, "" Alternative
         "Height, width and depth in one cell, in place of their own columns" "1800 x 600 x 450 mm";
-    Shape "shape" Text, "" Alternative "Shape of its base: box, or cylinder where it is round" "cylinder";
+    Shape "shape" Text, "" Alternative
+        "Shape of its base: box, cylinder where it is round, or polygon:8 with its number of corners" "cylinder";
     Diameter "diameter" Quantity(Length), "mm" Alternative
-        "Diameter of a round base, in place of thickness and width" "400";
+        "Diameter of a round base, or of the circle through the corners of a polygon, in place of thickness and width"
+        "400";
+    Scan "scan" Text, "" Alternative
+        "Scan of it in the folder of the list (OBJ, STL, PLY, binary glTF; z upward), in place of its sizes"
+        "bust.glb";
+    ScanUnit "scan_unit" Text, "" Alternative "Unit of length of that scan: m, cm, mm, in or ft" "mm";
+    ScanBase "scan_base" Text, "" Alternative
+        "Underside of that scan: measured to less than 1 mm, or flat; empty: flat" "measured";
     Unit "unit" Text, "" Alternative
         "Unit of the bare sizes or of the bare mass of the row, where their headings state none" "cm";
 }

@@ -117,7 +117,7 @@ pub fn costs_of_list(path: &Path, request: &CellsRequest) -> Result<ListedCosts,
     let rolls = |item: &Item| {
         item.surroundings.upper.is_none() && item.surroundings.casters == Some(Casters::Free)
     };
-    let mild = |item: &Item| match (rolls(item), item.is_round) {
+    let mild = |item: &Item| match (rolls(item), item.is_round()) {
         (true, _) => Some((item.id.clone(), TooMild::Glides)),
         (_, true) => Some((item.id.clone(), TooMild::Round)),
         _ => None,

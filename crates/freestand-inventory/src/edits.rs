@@ -202,7 +202,7 @@ mod tests {
             .unwrap()
             .inventory
             .items;
-        assert_eq!([shaped[0].is_round, shaped[1].is_round], [false, true]);
+        assert_eq!([shaped[0].is_round(), shaped[1].is_round()], [false, true]);
         let twice = read(&["D2=40 cm", "d2=50 cm"]).unwrap_err();
         assert!(twice.contains("cell D2 is changed twice"), "{twice}");
         // What contains `=` is not another cell, and a cell has one line.

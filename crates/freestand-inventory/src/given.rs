@@ -1,6 +1,9 @@
 //! One object whose values are known: no list is read, and everything else is as for a row of a list.
 
+use std::sync::Arc;
+
 use freestand_input::quantity::Dimension;
+use freestand_study::hull::BodyInPose;
 
 use super::Casters;
 use super::columns::Column;
@@ -21,6 +24,8 @@ pub enum Value {
     Casters(Casters),
     /// Its base is round.
     Round,
+    /// It is a body of this shape.
+    Body(Arc<BodyInPose>),
 }
 
 impl Value {
@@ -40,6 +45,7 @@ impl Value {
             Self::Text(text) => text.clone(),
             Self::Casters(casters) => casters.name().to_owned(),
             Self::Round => "cylinder".to_owned(),
+            Self::Body(body) => body.kind.name().to_owned(),
         }
     }
 }
@@ -87,5 +93,12 @@ impl<'a> Given<'a> {
 
     pub(super) fn is_round(&self) -> bool {
         self.get(Column::Shape) == Some(&Value::Round)
+    }
+
+    pub(super) fn body(&self) -> Option<&Arc<BodyInPose>> {
+        match self.get(Column::Shape)? {
+            Value::Body(body) => Some(body),
+            _ => None,
+        }
     }
 }

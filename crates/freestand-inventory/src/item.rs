@@ -1,28 +1,38 @@
 //! Makes an object from the values of a row.
 
+use std::sync::Arc;
+
 use freestand::block::{Block, BlockError};
+use freestand::hull::shapes::Outline;
 use freestand::impact::stiffness_warnings;
 use freestand::rocking::Restitution;
 
 use crate::library::{Confidence, Lookup, Tolerance};
-use freestand_input::keys::Words;
-use freestand_input::problem::{Problem, Problems};
+use freestand_input::keys::{KeyStyle, Words};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::nearest;
+use freestand_input::words::{nearest, number};
+use freestand_scan::body::Leaking;
 use freestand_study::cushion::{self, EdgeCushion};
+use freestand_study::hull::BodyInPose;
+use freestand_study::hull::body::{Form, SCAN_BASES, SCAN_UNITS, Scan, Upright, feet_of};
 use freestand_study::shape::Shape;
 
-use super::columns::{COLUMNS, Column};
+use super::columns::{COLUMNS, Column, ColumnSpec};
 use super::floors::{FloorFinder, Floors, Found};
 use super::given::{Given, Value};
 use super::plausible;
 use super::problems::{Finding, Findings, Kind, RowFindings};
 use super::round::names_round_object;
+use super::scans::Scans;
 use super::template::EXAMPLE;
 use super::values::Values;
 use super::wheels::{Wheels, casters, may_roll, names_wheels};
-use super::{Casters, Consequences, Item, Surroundings, UpperBody};
+use super::{Casters, Consequences, Item, ItemShape, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
+
+/// How far the height of a list may be from that of a scan, over the former.
+const SAME_HEIGHT: f64 = 0.1;
 
 /// The largest resistance of rolling wheels over the weight, on a carpet or a rough floor.
 const WHEEL_FRICTION: f64 = 0.1;
@@ -33,6 +43,8 @@ pub(super) struct Reading<'a> {
     /// Finds floors by their names; `None`: the list has shares of the height.
     pub floors: Option<&'a FloorFinder>,
     pub section: &'a str,
+    /// The scans that the list names.
+    pub scans: &'a Scans,
 }
 
 /// The object of these values, and what is wrong or doubtful about it; floors are found by their names
@@ -60,6 +72,7 @@ pub fn item_of(
         lookup,
         floors: finder.as_ref(),
         section: "",
+        scans: &Scans::default(),
     };
     let item = item(&mut Values::Given(given), &reading, Vec::new());
     (item, findings.finish().0)
@@ -67,15 +80,16 @@ pub fn item_of(
 
 /// The object of a row.
 pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<String>) -> Item {
-    let size = size(values);
+    let mut size = size(values);
     values.units();
     let mass_kg = values.positive(Column::Mass);
+    let shape = shape(values, reading.scans, &mut size, mass_kg);
     let support = support(values, reading.lookup, mass_kg);
     let quantity = values.whole(Column::Quantity).unwrap_or(1);
     let (floor, level_ratio) = floor(values, reading);
     let (casters, stands_on) = values.casters(Column::Casters);
     let rests_on = Some(values.text(Column::RestsOn))
-        .filter(|text| !text.is_empty())
+        .filter(|text| !text.is_empty() && feet_of(text).is_err())
         .unwrap_or(stands_on);
     let friction_ratio = values.range(Column::Friction);
     // So little is the resistance of wheels: the list says already that it rolls.
@@ -103,7 +117,7 @@ pub(super) fn item(values: &mut Values<'_>, reading: &Reading<'_>, carried: Vec<
         width_m: size.width_m,
         base_thickness_m: size.base_thickness_m,
         base_width_m: size.base_width_m,
-        is_round: size.is_round,
+        shape,
         cg_height_m: size.cg_height_m,
         mass_kg,
         cushion: support.cushion,
@@ -322,7 +336,7 @@ struct Size {
     base_thickness_m: Option<f64>,
     base_width_m: Option<f64>,
     cg_height_m: Option<f64>,
-    is_round: bool,
+    form: Form,
     /// The object about both axes, as far as they are known.
     blocks: Vec<Block>,
 }
@@ -336,7 +350,7 @@ fn size(values: &mut Values<'_>) -> Size {
         base_thickness_m: values.positive(Column::BaseThickness),
         base_width_m: values.positive(Column::BaseWidth),
         cg_height_m: values.positive(Column::CgHeight),
-        is_round: false,
+        form: Form::Box,
         blocks: Vec::new(),
     };
     round(values, &mut size, all.is_round);
@@ -411,13 +425,159 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
     };
     let item = values.shown(Column::Item);
     let is_named = is_equal && item.is_some_and(|item| names_round_object(&item));
-    size.is_round = shape.unwrap_or(is_marked || is_named);
-    if size.is_round {
+    size.form = match shape {
+        Some(form) => form,
+        None if is_marked || is_named => Form::Cylinder,
+        None => Form::Box,
+    };
+    if size.form != Form::Box {
         size.width_m = size.width_m.or(size.thickness_m);
         size.thickness_m = size.thickness_m.or(size.width_m);
         if shape.is_none() && !is_marked {
             values.report(Column::Item, Kind::Round, "");
         }
+    }
+}
+
+/// The shape of an object: that of its scan, or on its feet, or of its base. A body brings its own sizes, and one that
+/// cannot be used has none.
+fn shape(
+    values: &mut Values<'_>,
+    scans: &Scans,
+    size: &mut Size,
+    mass_kg: Option<f64>,
+) -> ItemShape {
+    let text = values.text(Column::RestsOn);
+    let feet = match are_points(&text).then(|| feet_of(&text)).transpose() {
+        Ok(feet) => feet,
+        Err(problem) => {
+            values.wrong(Column::RestsOn, Kind::Unreadable, &problem);
+            return ItemShape::Unknown;
+        }
+    };
+    let found = match values.body() {
+        Some(body) => Some(Ok(body)),
+        None if values.is_filled(Column::Scan) => {
+            scanned(values, scans, feet, mass_kg, size.height_m)
+        }
+        None => upright(size, feet, mass_kg).map(|upright| upright.body().map(Arc::new)),
+    };
+    match found {
+        None => match size.form {
+            Form::Box => ItemShape::Block,
+            Form::Cylinder => ItemShape::Round,
+            Form::Polygon(_) => ItemShape::Unknown,
+        },
+        Some(Ok(body)) => {
+            size.height_m = Some(body.height_m);
+            size.cg_height_m = Some(body.standing.pose().cg_height_m);
+            if values.is_filled(Column::Scan) {
+                size.thickness_m = Some(body.thickness_m());
+                size.width_m = None;
+            }
+            ItemShape::Body(body)
+        }
+        Some(Err(problem)) => {
+            let kind = match problem.kind {
+                ProblemKind::Value => Kind::OutOfRange,
+                _ => Kind::Unreadable,
+            };
+            let column = of_body(&problem);
+            values.wrong(column, kind, &problem.shown(KeyStyle::File));
+            ItemShape::Unknown
+        }
+    }
+}
+
+/// Whether a text is of pairs of numbers, and no words: "four feet; two with pads" is none.
+fn are_points(text: &str) -> bool {
+    let is_number = |text: &str| {
+        let text = text.trim_start().trim_start_matches(['-', '+', '−', '.']);
+        text.starts_with(|c: char| c.is_ascii_digit())
+    };
+    let is_point = |text: &str| {
+        text.split_once(',')
+            .is_some_and(|(x, y)| is_number(x) && is_number(y))
+    };
+    text.contains(';')
+        && text
+            .split(';')
+            .filter(|text| !text.trim().is_empty())
+            .all(is_point)
+}
+
+/// The body of a polygon, or of any shape on feet, if it is one and its sizes are known.
+fn upright(size: &Size, feet_m: Option<Vec<[f64; 2]>>, mass_kg: Option<f64>) -> Option<Upright> {
+    let (height_m, thickness_m) = size.height_m.zip(size.thickness_m)?;
+    let outline = match size.form {
+        Form::Polygon(corners) => Outline::Polygon(corners, thickness_m),
+        _ if feet_m.is_none() => return None,
+        Form::Cylinder => Outline::Circle(thickness_m),
+        Form::Box => Outline::Box([thickness_m, size.width_m.unwrap_or(thickness_m)]),
+    };
+    Some(Upright {
+        outline,
+        height_m,
+        cg_height_m: size.cg_height_m,
+        feet_m,
+        mass_kg,
+    })
+}
+
+/// The body of the scan that a row names.
+fn scanned(
+    values: &mut Values<'_>,
+    scans: &Scans,
+    feet_m: Option<Vec<[f64; 2]>>,
+    mass_kg: Option<f64>,
+    height_m: Option<f64>,
+) -> Option<Result<Arc<BodyInPose>, Problem>> {
+    let file = values.text(Column::Scan);
+    let unit_m = values.named(Column::ScanUnit, SCAN_UNITS);
+    let base = values.named(Column::ScanBase, SCAN_BASES);
+    let Some(unit_m) = unit_m else {
+        let problem = Problem::value(
+            "the unit of the scan is not stated",
+            "give `scan_unit`: m, cm, mm, in or ft",
+        );
+        return Some(Err(problem.of(&["scan_unit"])));
+    };
+    let scan = Scan {
+        unit_m,
+        base,
+        error_m: None,
+        leaking: Leaking::Refuse,
+        feet_m,
+        pose: 1,
+        mass_kg,
+    };
+    let body = scans.body(&file, &scan);
+    if let (Ok(body), Some(height_m)) = (&body, height_m)
+        && (body.height_m - height_m).abs() > SAME_HEIGHT * height_m
+    {
+        let detail = format!(
+            "says {} m, and the scan is {} m high: one of them, or the unit of the scan, is wrong",
+            number(height_m, 3),
+            number(body.height_m, 3)
+        );
+        return Some(Err(Problem::value(
+            detail,
+            "correct it, or leave the height out",
+        )
+        .of(&["height"])));
+    }
+    Some(body)
+}
+
+/// The column of a problem of a body.
+fn of_body(problem: &Problem) -> Column {
+    let of_key = |column: &&ColumnSpec| problem.is_about(column.name);
+    match problem.is_about("feet") {
+        true => Column::RestsOn,
+        false => COLUMNS
+            .iter()
+            .find(of_key)
+            .map_or(Column::Shape, |spec| spec.column),
     }
 }
 

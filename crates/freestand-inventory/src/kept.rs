@@ -97,6 +97,32 @@ pub(super) mod questions {
     }
 }
 
+/// For a shape of [`Item`] that is a body.
+pub(super) mod body {
+    use std::sync::Arc;
+
+    use freestand_study::hull::BodyInPose;
+    use serde::de::Error;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(in super::super) fn serialize<S: Serializer>(
+        body: &Arc<BodyInPose>,
+        to: S,
+    ) -> Result<S::Ok, S::Error> {
+        body.as_ref().serialize(to)
+    }
+
+    pub(in super::super) fn deserialize<'de, D: Deserializer<'de>>(
+        from: D,
+    ) -> Result<Arc<BodyInPose>, D::Error> {
+        let body = BodyInPose::deserialize(from)?;
+        match body.standing.has_its_pose() {
+            true => Ok(Arc::new(body)),
+            false => Err(D::Error::custom("a body without its pose")),
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use freestand::cushion::{ContactLaw, Cushion};

@@ -41,6 +41,7 @@ mod readings;
 mod report;
 mod roles;
 mod round;
+mod scans;
 mod sentence;
 mod sizes;
 mod source;
@@ -59,6 +60,7 @@ mod workbook;
 mod write;
 
 use std::path::PathBuf;
+use std::sync::Arc;
 use strum::IntoStaticStr;
 
 use freestand::rocking::Restitution;
@@ -92,8 +94,10 @@ pub use template::{template_csv, template_xlsx};
 pub use vocabulary::rating;
 
 use crate::library::Tolerance;
+use freestand_input::file::InputFile;
 use freestand_input::words::{Choices, name_of};
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::hull::BodyInPose;
 use freestand_study::study::assessment::Questions;
 
 /// The ratings of the three consequences of FEMA E-74; `None`: not rated.
@@ -166,9 +170,8 @@ pub struct Item {
     pub base_thickness_m: Option<f64>,
     /// Distance between the edges in the direction of the width; `None`: the width \[m\].
     pub base_width_m: Option<f64>,
-    /// Whether its base is round, or another shape than a rectangle: its sides are those of the square
-    /// around it.
-    pub is_round: bool,
+    /// The shape of its base, as far as it is known.
+    pub shape: ItemShape,
     /// Height of the centre of gravity; `None`: half the height \[m\].
     pub cg_height_m: Option<f64>,
     /// Mass \[kg\].
@@ -207,6 +210,27 @@ pub struct Item {
     pub to_confirm: Vec<String>,
     /// Cells of the other columns, in the order of [`Inventory::carried`].
     pub carried: Vec<String>,
+}
+
+impl Item {
+    /// Whether its base is round: its sides are those of the square around it.
+    pub fn is_round(&self) -> bool {
+        self.shape == ItemShape::Round
+    }
+}
+
+/// The shape of an object.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum ItemShape {
+    /// A block, which its sizes describe.
+    Block,
+    /// A round base: its sides are those of the square around it.
+    Round,
+    /// A polygon, a body on feet, or one that was scanned.
+    #[serde(with = "kept::body")]
+    Body(Arc<BodyInPose>),
+    /// It was given, and cannot be used.
+    Unknown,
 }
 
 /// What is around an object and on it, and whether it rolls.
@@ -289,7 +313,9 @@ pub struct Inventory {
     /// The rows, in the order of the file.
     pub items: Vec<Item>,
     /// The user's libraries in which its entries were looked up.
-    pub libraries: Vec<freestand_input::file::InputFile>,
+    pub libraries: Vec<InputFile>,
+    /// The scans that it names.
+    pub scans: Vec<InputFile>,
     /// What beside the file and the study decided how it was read, for the key of a run.
     pub read_with: String,
     /// What is wrong or doubtful, one for each kind and column.

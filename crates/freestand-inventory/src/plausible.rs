@@ -5,10 +5,10 @@ use std::ops::RangeInclusive;
 use freestand::G0_M_S2;
 use freestand::cushion::PAD_STIFFNESS_N_M;
 
-use super::Item;
 use super::columns::Column;
 use super::implausible::is_possible;
 use super::problems::Kind;
+use super::{Item, ItemShape};
 
 /// Density of the box around an object \[kg/m³\]: an empty cardboard box to solid stone.
 const DENSITY: RangeInclusive<f64> = 20.0..=3000.0;
@@ -61,7 +61,10 @@ pub(super) fn doubts(item: &Item) -> Vec<(Kind, Column)> {
             found.push((Kind::Low, Column::Height));
         }
         // Without a width, the thickness stands for it.
-        let volume = height * thickness * item.width_m.unwrap_or(thickness);
+        let volume = match &item.shape {
+            ItemShape::Body(body) => body.volume_m3,
+            _ => height * thickness * item.width_m.unwrap_or(thickness),
+        };
         if item
             .mass_kg
             .is_some_and(|mass| !is_density_plausible(mass, volume))

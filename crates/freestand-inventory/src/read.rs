@@ -23,6 +23,7 @@ use super::item::{self, item};
 use super::layout::{Header, LeftOut, Table, tables, unevaluated};
 use super::mapping::{Headed, Mapping, cost_heading, written};
 use super::problems::{Findings, Kind, Place, RowFindings, bad_file};
+use super::scans::Scans;
 use super::source::{Sheet, first_rows, load};
 use super::understood::understand;
 use super::used::{Evidence, Understood, Use};
@@ -173,7 +174,12 @@ pub fn parse_inventory(
         Some(mapping) => mapping.floors(&options.floors)?,
         None => options.floors.clone(),
     };
-    let list = List::new(sheet, tables, options);
+    let list = List::new(
+        sheet,
+        tables,
+        path.parent().unwrap_or(Path::new("")),
+        options,
+    );
     let names = list.floor_names();
     let mut findings = Findings::new(options.is_strict);
     let mut whole = Whole::default();
@@ -222,12 +228,14 @@ pub fn parse_inventory(
         true => list.cells_read(),
         false => Vec::new(),
     };
+    let scans = list.scans.files();
     let is_imperial = list.parts.iter().any(|part| part.columns.is_imperial);
     let left_out = list.parts.into_iter().map(|part| part.table.body.left_out);
     let mut left_out: Vec<LeftOut> = left_out.flatten().collect();
     left_out.sort_by_key(|left| left.row);
     let inventory = Inventory {
         libraries: Vec::new(),
+        scans,
         path: path.to_path_buf(),
         sha256,
         sheet: list.sheet.name,
@@ -263,10 +271,11 @@ struct List<'a> {
     sheet: Sheet,
     parts: Vec<Part>,
     options: &'a ReadOptions<'a>,
+    scans: Scans,
 }
 
 impl<'a> List<'a> {
-    fn new(sheet: Sheet, tables: Vec<Table>, options: &'a ReadOptions<'a>) -> Self {
+    fn new(sheet: Sheet, tables: Vec<Table>, folder: &Path, options: &'a ReadOptions<'a>) -> Self {
         let understood = |table: Table| {
             let mut columns = understand(&Evidence {
                 rows: &sheet.rows,
@@ -283,6 +292,7 @@ impl<'a> List<'a> {
             sheet,
             parts,
             options,
+            scans: Scans::new(folder),
         }
     }
 
@@ -412,6 +422,7 @@ impl<'a> List<'a> {
                     lookup: self.options.lookup,
                     floors: finder,
                     section: section.map_or("", String::as_str),
+                    scans: &self.scans,
                 };
                 items.push(item(&mut Values::Cells(cells), &reading, carried));
             }

@@ -252,7 +252,7 @@ fn object(item: &Item) -> ObjectReport {
         height_m: item.height_m,
         thickness_m: item.thickness_m,
         width_m: item.width_m,
-        is_round: item.is_round,
+        is_round: item.is_round(),
         cg_height_m: item.cg_height_m,
         mass_kg: item.mass_kg,
         stiffness_n_m: item

@@ -1,6 +1,7 @@
 //! Whether an object is round: by a column, by a mark in a size, or by its name.
 
 use freestand_input::words::canonical;
+use freestand_study::hull::body::Form;
 
 use super::vocabulary::is_among;
 
@@ -55,17 +56,30 @@ pub(super) fn names_diameter(text: &str) -> bool {
     without_diameter(text).1
 }
 
-/// Whether the cell of a column `shape` says that the base is round; `None`: it is not understood.
-pub(super) fn shape(text: &str) -> Option<bool> {
+/// The shape in the cell of a column `shape`; `None`: it is not understood.
+pub(super) fn shape(text: &str) -> Option<Form> {
     const ROUND: &str = "round circular circle cylinder cylindrical cyl conical oval rund zylinder zylindrisch \
         rond ronde cylindre cylindrique redondo redonda cilindro cilindrico rotondo tondo yuvarlak silindir 円筒";
     const BOX: &str = "box square rectangular rectangle cuboid prism cabinet block eckig rechteckig quadratisch \
         quader kasten carre rectangulaire boite cuadrado caja quadrato rettangolare dikdortgen 箱";
+    const CORNERS: [(&str, u32); 4] = [
+        ("triangle triangular dreieckig", 3),
+        ("pentagon pentagonal", 5),
+        ("hexagon hexagonal sechseckig", 6),
+        ("octagon octagonal achteckig", 8),
+    ];
     let words = canonical(text);
-    if is_among(&words, ROUND) || words.starts_with("polygon") {
-        return Some(true);
+    let polygon = words.strip_prefix("polygon").map(str::trim);
+    if let Some(corners) = polygon.filter(|corners| !corners.is_empty()) {
+        return Form::of(&format!("polygon:{corners}")).ok();
     }
-    is_among(&words, BOX).then_some(false)
+    let named = CORNERS.iter().find(|(names, _)| is_among(&words, names));
+    match named {
+        Some((_, corners)) => Some(Form::Polygon(*corners)),
+        // Of a polygon whose corners nobody counted, the circle is the worse.
+        None if is_among(&words, ROUND) || polygon.is_some() => Some(Form::Cylinder),
+        None => is_among(&words, BOX).then_some(Form::Box),
+    }
 }
 
 /// Whether the name of an object is that of a round one, such as a gas cylinder; a rack of bottles is none.
@@ -148,9 +162,20 @@ mod tests {
                 shape("Cylinder"),
                 shape("box"),
                 shape("odd"),
-                shape("polygon:8")
+                shape("Polygon: 8"),
+                shape("hexagonal"),
+                shape("polygon"),
+                shape("polygon:2"),
             ],
-            [Some(true), Some(false), None, Some(true)]
+            [
+                Some(Form::Cylinder),
+                Some(Form::Box),
+                None,
+                Some(Form::Polygon(8)),
+                Some(Form::Polygon(6)),
+                Some(Form::Cylinder),
+                None,
+            ]
         );
     }
 }

@@ -3,8 +3,12 @@
 
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, is_possible, shorten};
-use freestand_input::words::canonical;
+use freestand_input::words::{Choices, canonical};
 
+use std::sync::Arc;
+
+use freestand_study::hull::BodyInPose;
+use freestand_study::hull::body::Form;
 use freestand_study::study::assessment::Questions;
 
 use super::cell::{Cell, Row, row_at};
@@ -253,13 +257,34 @@ impl<'a> Values<'a> {
         found
     }
 
-    /// Whether the base is round; `None`: nothing says so.
-    pub(super) fn shape(&mut self) -> Option<bool> {
-        if let Self::Given(given) = self {
-            return given.is_round().then_some(true);
+    /// The body that it is, without a list.
+    pub(super) fn body(&self) -> Option<Arc<BodyInPose>> {
+        match self {
+            Self::Given(given) => given.body().map(Arc::clone),
+            Self::Cells(_) => None,
         }
-        let detail = "is not a shape: write box, or cylinder where the base is round";
+    }
+
+    /// The shape of its base; `None`: nothing says it.
+    pub(super) fn shape(&mut self) -> Option<Form> {
+        if let Self::Given(given) = self {
+            return given.is_round().then_some(Form::Cylinder);
+        }
+        let detail = "is not a shape: write box, cylinder where the base is round, or polygon:8 with the number of its \
+                      corners";
         self.meant(Column::Shape, shape, Kind::Unreadable, detail)
+    }
+
+    /// One of a few names.
+    pub(super) fn named<T: Copy>(&mut self, column: Column, choices: Choices<T>) -> Option<T> {
+        let names: Vec<&str> = choices.iter().map(|(_, name, _)| *name).collect();
+        let detail = format!("is not one of {}", names.join(", "));
+        let found = |text: &str| {
+            let words = canonical(text);
+            let same = choices.iter().find(|(_, name, _)| canonical(name) == words);
+            same.map(|(value, _, _)| *value)
+        };
+        self.meant(column, found, Kind::Unreadable, &detail)
     }
 
     /// High, medium or low.

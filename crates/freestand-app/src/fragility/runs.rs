@@ -187,7 +187,7 @@ pub(super) fn listed(
         path: inventory.path.clone(),
         sha256: inventory.sha256.clone(),
     });
-    files.extend(inventory.libraries.iter().cloned());
+    files.extend(inventory.libraries.iter().chain(&inventory.scans).cloned());
     let recorded = study.ground.recorded(&study.levels);
     files.extend(recorded.map(|one| InputFile {
         path: one.path.clone(),

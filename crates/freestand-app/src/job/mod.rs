@@ -151,7 +151,8 @@ fn staged(
         .cloned()
         .chain(motion_paths(study))
         .chain([inventory.path.clone()]);
-    let inputs = inputs.chain(inventory.libraries.iter().map(|file| file.path.clone()));
+    let looked_up = inventory.libraries.iter().chain(&inventory.scans);
+    let inputs = inputs.chain(looked_up.map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?
         .of_command(SCHEMA)?;
     folder.check(&OUTPUTS.map(str::to_owned))?;
@@ -299,6 +300,7 @@ fn inputs(study: &Study, inventory: &Inventory) -> serde_json::Value {
     json!({
         "inventory": {"name": file_name(&inventory.path), "sha256": inventory.sha256},
         "libraries": inventory.libraries.iter().map(input).collect::<Vec<_>>(),
+        "scans": inventory.scans.iter().map(input).collect::<Vec<_>>(),
         "study": study.toml,
         "records": recorded,
         "motion_seed": study.ground.seed(),

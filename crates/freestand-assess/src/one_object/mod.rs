@@ -89,12 +89,10 @@ pub struct Object {
 impl Object {
     /// A body of which nothing else is known.
     pub fn of_body(body: Arc<BodyInPose>) -> Self {
-        let cg_height_m = body.standing.pose().cg_height_m;
-        let thickness_m = 2.0 * cg_height_m * body.barrier.angle_rad().tan();
         Self {
-            cg_height_m: Some(cg_height_m),
+            cg_height_m: Some(body.standing.pose().cg_height_m),
             body: Some(Arc::clone(&body)),
-            ..Self::of_size(body.height_m, thickness_m)
+            ..Self::of_size(body.height_m, body.thickness_m())
         }
     }
 
@@ -263,18 +261,16 @@ fn in_study<'r>(
 ) -> Result<(ObjectResult<'r>, Option<Shown>), Problems> {
     let row = row::row(request, &shaken.study)?;
     let settings = &shaken.study.assessment;
-    let mut subject = Subject::new(&row.item, settings).map_err(|missing| {
+    let subject = Subject::new(&row.item, settings).map_err(|missing| {
         let verb = if missing.len() == 1 { "is" } else { "are" };
         let message = format!("{} {verb} missing", Missing::listed(&missing));
         Problem::new(ProblemKind::Missing, message)
     })?;
-    if let Some(body) = &request.object.body {
-        subject = subject.on_hull(Arc::clone(body));
-    }
-    if matches!(request.earthquake, Earthquake::Motions { .. }) {
+    let subject = match request.earthquake {
         // Nothing is drawn for motions that are given.
-        subject = subject.with_middle_friction(settings);
-    }
+        Earthquake::Motions { .. } => subject.with_middle_friction(settings),
+        _ => subject,
+    };
     let unused = unused(&request.object, &subject);
     let member = Member::new(&row.item, subject, settings);
     let go_on = || {

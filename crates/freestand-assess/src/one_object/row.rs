@@ -1,5 +1,7 @@
 //! The object as a row of a list has it, without a list.
 
+use std::sync::Arc;
+
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::shape::Sizes;
@@ -49,10 +51,7 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         width_m,
     }
     .check()?;
-    // The sizes of a body stand for its energy barrier: its density is that of its volume.
-    let is_of_body =
-        |finding: &&Finding| request.object.body.is_some() && finding.column == Some(Column::Mass);
-    for finding in findings.iter().filter(|finding| !is_of_body(finding)) {
+    for finding in &findings {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),
@@ -79,7 +78,7 @@ fn values(request: &ObjectRequest) -> Vec<(Column, Value)> {
         thickness_m,
         width_m,
         is_round,
-        body: _,
+        body,
         cg_height_m,
         mass_kg,
         rests_on,
@@ -109,12 +108,16 @@ fn values(request: &ObjectRequest) -> Vec<(Column, Value)> {
         FloorPlace::Name(name) => (Some(name.clone()), None),
         FloorPlace::Share(ratio) => (None, Some(*ratio)),
     };
+    let shape = match body {
+        Some(body) => Some(Value::Body(Arc::clone(body))),
+        None => is_round.then_some(Value::Round),
+    };
     let values = [
         (Column::Id, Some(Value::Text(ID.to_owned()))),
         (Column::Height, number(Some(*height_m))),
         (Column::Thickness, number(Some(*thickness_m))),
         (Column::Width, number(*width_m)),
-        (Column::Shape, is_round.then_some(Value::Round)),
+        (Column::Shape, shape),
         (Column::CgHeight, number(*cg_height_m)),
         (Column::Mass, number(*mass_kg)),
         (Column::Stiffness, number(stiffness)),

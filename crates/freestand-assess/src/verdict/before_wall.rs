@@ -3,6 +3,7 @@
 
 use crate::result::{Assessment, BeforeWall, Decision, FallsAnswer};
 use freestand_input::problem::Problems;
+use freestand_inventory::ItemShape;
 use freestand_study::study::assessment::WallUse;
 
 use super::Context;
@@ -61,7 +62,7 @@ fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
         && falls
         && !has_wall
         // A wall does not make a round object a square one.
-        && !trial.member.item.is_round
+        && trial.member.item.shape == ItemShape::Block
         && trial.subject.way.rocks()
         && trial.subject.way.asks(Model::Rigid)
         && context.study.assessment.walls == WallUse::AsListed

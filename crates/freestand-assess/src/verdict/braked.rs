@@ -5,6 +5,7 @@ use freestand::decision::Side;
 
 use crate::result::{Braked, Decision, ShockAnswer};
 use freestand_input::problem::Problems;
+use freestand_inventory::ItemShape;
 
 use super::Context;
 use super::answers::answers;
@@ -15,7 +16,7 @@ use super::trial::{Question, Trial, live};
 pub(super) fn braked(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Braked>>, Problems> {
     let mut found: Vec<Option<Braked>> = trials.iter().map(|_| None).collect();
     let is_wanted = |trial: &Trial| {
-        !trial.member.item.is_round
+        trial.member.item.shape == ItemShape::Block
             && !has_room(context, trial)
             && trial.side(context, Question::Falls) == Side::Below
     };

@@ -20,7 +20,7 @@ use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
 use crate::reason::{Flat, Missing, unknown};
 use crate::result::{Axis, TooMild};
-use freestand_inventory::{Casters, Item, Surroundings, UpperBody};
+use freestand_inventory::{Casters, Item, ItemShape, Surroundings, UpperBody};
 
 use crate::capacity::Capacity;
 
@@ -459,6 +459,18 @@ impl Subject {
         if !item.to_confirm.is_empty() {
             return Err(vec![Missing::Confirmation]);
         }
+        let sides = match &item.shape {
+            ItemShape::Unknown => return Err(vec![Missing::Shape]),
+            // Its symmetric block stands for it in the numbers of one plane.
+            ItemShape::Body(body) => [
+                (Axis::Thickness, Some(body.thickness_m()), None),
+                (Axis::Width, None, None),
+            ],
+            ItemShape::Block | ItemShape::Round => [
+                (Axis::Thickness, item.thickness_m, item.base_thickness_m),
+                (Axis::Width, item.width_m, item.base_width_m),
+            ],
+        };
         let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
             (item.level_ratio, item.height_m, item.thickness_m)
         else {
@@ -468,10 +480,6 @@ impl Subject {
                 (item.thickness_m.is_some(), Missing::Thickness),
             ]));
         };
-        let sides = [
-            (Axis::Thickness, Some(thickness_m), item.base_thickness_m),
-            (Axis::Width, item.width_m, item.base_width_m),
-        ];
         let mut axes = Vec::new();
         for (axis, side_m, base_m) in sides {
             let Some(side_m) = side_m else { continue };
@@ -507,14 +515,16 @@ impl Subject {
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
-        let round = match &way {
-            Way::Planar | Way::Spatial(None) if item.is_round => {
+        let on_hull = match (&way, &item.shape) {
+            (Way::Planar | Way::Spatial(None), ItemShape::Round) => {
                 round_body(item, height_m, thickness_m)
             }
+            (Way::Rolls(_) | Way::Stack(_), _) => None,
+            (_, ItemShape::Body(body)) => Some(Arc::clone(body)),
             _ => None,
         };
         let too_mild = match way {
-            _ if item.is_round => Some(TooMild::Round),
+            _ if item.is_round() => Some(TooMild::Round),
             Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
             _ => None,
         };
@@ -530,7 +540,7 @@ impl Subject {
             friction_ratio: item.friction_ratio,
             flat: flat.filter(|_| settings.dimensions == Dimensions::Three),
         };
-        Ok(match round {
+        Ok(match on_hull {
             Some(body) => subject.on_hull(body),
             None => subject,
         })

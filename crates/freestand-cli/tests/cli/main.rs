@@ -12,6 +12,7 @@
 )]
 
 mod bodies;
+mod bodies_in_lists;
 mod cases;
 mod code_spectra;
 mod compliant;

@@ -1,5 +1,6 @@
 //! Inventories of many hands, and of hostile ones.
 
+mod bodies;
 mod hostile;
 mod large;
 mod registers;
@@ -840,7 +841,7 @@ fn round_objects_are_known_by_a_column_a_mark_or_their_name() {
     let round: Vec<&str> = inventory
         .items
         .iter()
-        .filter(|item| item.is_round)
+        .filter(|item| item.is_round())
         .map(|item| item.id.as_str())
         .collect();
     assert_eq!(round, ["a", "b", "c", "d", "f"]);

@@ -128,7 +128,7 @@ fn a_register_of_a_hospital_reads_as_a_person_reads_it() {
     let round: Vec<&str> = inventory
         .items
         .iter()
-        .filter(|item| item.is_round)
+        .filter(|item| item.is_round())
         .map(|item| item.id.as_str())
         .collect();
     assert_eq!(round, ["ED-007", "ED-007 #2", "PA-207", "PA-211"]);

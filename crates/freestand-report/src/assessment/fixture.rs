@@ -19,7 +19,7 @@ use freestand_assess::result::{
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
-use freestand_inventory::{Consequences, Inventory, Item, Rating};
+use freestand_inventory::{Consequences, Inventory, Item, ItemShape, Rating};
 use freestand_output::folder::OutputFolder;
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::result::Ranked;
@@ -85,7 +85,7 @@ pub(super) fn item(index: usize) -> Item {
         width_m: (!index.is_multiple_of(4)).then_some(0.8),
         base_thickness_m: (index % 5 == 1).then_some(0.35),
         base_width_m: None,
-        is_round: false,
+        shape: ItemShape::Block,
         cg_height_m: (index % 5 == 1).then_some(0.9),
         mass_kg: Some(100.0 + 10.0 * slender),
         cushion: Some(EdgeCushion {
@@ -124,6 +124,7 @@ pub(super) fn item(index: usize) -> Item {
 pub(super) fn inventory(items: Vec<Item>) -> Inventory {
     Inventory {
         libraries: Vec::new(),
+        scans: Vec::new(),
         path: PathBuf::from("ward.xlsx"),
         sha256: "0123456789abcdef".repeat(4),
         sheet: Some("Objects".to_owned()),

@@ -31,7 +31,7 @@ pub(crate) fn too_mild(why: TooMild) -> &'static str {
             "round, and calculated with a model that underestimates how often it falls"
         }
         TooMild::OnHull => {
-            "followed on its hull, with a model that underestimates how often it falls"
+            "calculated on the points of the hull, with a model that underestimates how often it falls"
         }
         TooMild::UnseenBase => "a scan, but nobody measured the side on which it stands",
         TooMild::FeetPassWall => "beside a wall, through which its feet pass in the calculation",

@@ -127,7 +127,7 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         building: building_words(&study, request.units).filter(|_| is_above),
         level_ratio,
         place: target.and_then(|target| target.place),
-        is_round: item.is_round,
+        is_round: item.is_round(),
         place_is_assumed: study.place_is_assumed,
         building_is_assumed: study.building_is_assumed && is_above,
         assumptions: assumptions(request, (&item, &study), &found, is_given),

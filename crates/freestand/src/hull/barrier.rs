@@ -25,6 +25,7 @@ const WIDTH: usize = 2;
 
 /// The lowest way over which a body falls.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Barrier {
     /// Height of the centre of gravity in the pose \[m\].
     pub rest_m: f64,

@@ -13,6 +13,7 @@ const SAME_RAD: f64 = 2.0 * PI / 180.0;
 
 /// A pose in which a body stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct StablePose {
     /// The direction of the body that is down.
     pub down: Vector,

@@ -132,6 +132,7 @@ impl HullPoint {
 
 /// A body in the pose in which it stands, with the points on which it is followed.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Standing {
     mass_kg: f64,
     inertia_kg_m2: [Vector; 3],
@@ -289,6 +290,11 @@ impl Standing {
         let reach_m = pose.cg_height_m - 3.0 * sinking_m;
         let is_low = |point: &&Vector| dot(point, &pose.down) > reach_m;
         self.points_m.iter().filter(is_low).count().max(3)
+    }
+
+    /// Whether it has the pose in which it stands: what was read from a file may have none.
+    pub fn has_its_pose(&self) -> bool {
+        self.pose < self.poses.len()
     }
 
     /// All its stable poses, the most upright first.

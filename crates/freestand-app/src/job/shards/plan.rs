@@ -304,6 +304,7 @@ fn study_key(study: &Study) -> String {
         carried: Vec::new(),
         items: Vec::new(),
         libraries: Vec::new(),
+        scans: Vec::new(),
         read_with: String::new(),
         findings: Vec::new(),
         warnings: Vec::new(),

@@ -207,7 +207,7 @@ pub(super) const COLUMNS: &[Column] = &[
     flag(
         "is_round",
         "whether it is round: not calculated in three dimensions, and never left as it is",
-        |l| yes(Some(l.item.is_round)),
+        |l| yes(Some(l.item.is_round())),
     ),
     count(
         "worlds_compliant",

@@ -1,5 +1,7 @@
 //! One history of a body on the points of its hull, in three dimensions.
 
+pub mod body;
+
 use std::sync::Arc;
 
 use freestand::hull::barrier::Barrier;
@@ -14,6 +16,7 @@ use freestand::spatial::SpatialMotion;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use freestand_output::answer;
+use serde::{Deserialize, Serialize};
 
 use crate::spatial::ONE_REALISATION;
 
@@ -25,7 +28,7 @@ const TURNED_RAD: f64 = 0.035;
 const HARDLY_RAD: f64 = 0.03;
 
 /// What the shape of a body was taken from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum BodyKind {
     /// A rectangular base.
     Box,
@@ -69,7 +72,7 @@ impl BodyKind {
 }
 
 /// A body in the pose in which it stands.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BodyInPose {
     /// What its shape was taken from.
     pub kind: BodyKind,
@@ -100,6 +103,12 @@ const OF_FULL_SINKING_M: f64 = 0.25;
 const MANUFACTURED_RATIO: f64 = 0.1;
 
 impl BodyInPose {
+    /// Thickness of the symmetric block of its height whose centre of gravity, as high as its own, must climb as far
+    /// \[m\].
+    pub fn thickness_m(&self) -> f64 {
+        2.0 * self.standing.pose().cg_height_m * self.barrier.angle_rad().tan()
+    }
+
     /// How far its contacts sink, over how far those of the rocks of the tests on a shake table do.
     pub fn sinking_ratio(&self) -> f64 {
         let of_size = (self.barrier.rest_m / OF_FULL_SINKING_M).min(1.0);

@@ -1,0 +1,69 @@
+//! The scans that a list names: files beside it, each read once, and the bodies that they are.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use freestand_input::file::InputFile;
+use freestand_input::problem::Problem;
+use freestand_scan::formats::read_mesh;
+use freestand_scan::mesh::Mesh;
+use freestand_study::hull::BodyInPose;
+use freestand_study::hull::body::Scan;
+
+/// What several rows ask for and the first of them makes.
+type Once<K, T> = Mutex<HashMap<K, Arc<OnceLock<Result<T, Problem>>>>>;
+
+/// The scans of a list.
+#[derive(Default)]
+pub(super) struct Scans {
+    folder: PathBuf,
+    files: Once<String, (InputFile, Mesh)>,
+    /// By the file and what is said of it: a large scan is often that of many objects.
+    bodies: Once<(String, String), Arc<BodyInPose>>,
+}
+
+impl Scans {
+    /// Of a list in this folder.
+    pub(super) fn new(folder: &Path) -> Self {
+        Self {
+            folder: folder.to_path_buf(),
+            ..Self::default()
+        }
+    }
+
+    /// The body of a scan.
+    pub(super) fn body(&self, file: &str, scan: &Scan) -> Result<Arc<BodyInPose>, Problem> {
+        if let Some(problem) = scan.contradictions().problems.into_iter().next() {
+            return Err(problem);
+        }
+        let key = (file.to_owned(), format!("{scan:?}"));
+        let once = once(&self.bodies, key);
+        let made = once.get_or_init(|| {
+            let mesh = self::once(&self.files, file.to_owned());
+            let read = mesh.get_or_init(|| read_mesh(&self.folder.join(file)));
+            let (_, mesh) = read
+                .as_ref()
+                .map_err(|problem| problem.clone().of(&["scan"]))?;
+            scan.body(mesh).map(Arc::new)
+        });
+        made.clone()
+    }
+
+    /// The files that were read, by name.
+    pub(super) fn files(&self) -> Vec<InputFile> {
+        let files = self.files.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut read: Vec<InputFile> = files
+            .values()
+            .filter_map(|once| Some(once.get()?.as_ref().ok()?.0.clone()))
+            .collect();
+        read.sort_by(|a, b| a.path.cmp(&b.path));
+        read
+    }
+}
+
+/// The place of what a key stands for.
+fn once<K: std::hash::Hash + Eq, T>(all: &Once<K, T>, key: K) -> Arc<OnceLock<Result<T, Problem>>> {
+    let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+    Arc::clone(all.entry(key).or_default())
+}
