@@ -683,7 +683,7 @@ fn unread(columns: &Understood) -> Vec<String> {
         })
         .collect();
     let has = |column: Column| columns.get(column).is_some();
-    let is_known = |side: Column| has(side) || has(Column::Dimensions);
+    let is_known = |side: Column| has(side) || has(Column::Dimensions) || has(Column::Scan);
     let mut lacks = |what: &str| {
         said.push(format!(
             "the list has no column of {what} that is known: objects without it have no verdict"

@@ -217,7 +217,8 @@ fn write(request: &PlanRequest, key: String, dir: &Path, force: bool) -> Result<
         study,
         [inventory.path.clone()]
             .into_iter()
-            .chain(list.cells.columns.clone()),
+            .chain(list.cells.columns.clone())
+            .chain(inventory.scans.iter().map(|file| file.path.clone())),
     )?;
     let inputs: Vec<PathBuf> = kept.files().cloned().collect();
     let folder = OutputFolder::stage(dir, force, &inputs)?.of_command(PLAN_SCHEMA)?;
