@@ -221,6 +221,7 @@ fn scanned(
         leaking,
         feet_m: feet(read),
         pose,
+        cg_height_m: read.positive("cg_height", Dimension::Length),
         mass_kg,
     };
     scan.contradictions()

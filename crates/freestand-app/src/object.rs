@@ -288,7 +288,7 @@ impl Object {
         }
         if body::is_body(read, self.shape.shape.as_ref()) {
             if read.has("scan") {
-                let sizes = ["height", "thickness", "width", "diameter", "cg_height"];
+                let sizes = ["height", "thickness", "width", "diameter"];
                 read.idle(&sizes, "a scan has its own");
             }
             return body::body(read, mass_kg, files).map(one_object::Object::of_body);

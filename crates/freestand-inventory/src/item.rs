@@ -457,9 +457,7 @@ fn shape(
     };
     let found = match values.body() {
         Some(body) => Some(Ok(body)),
-        None if values.is_filled(Column::Scan) => {
-            scanned(values, scans, feet, mass_kg, size.height_m)
-        }
+        None if values.is_filled(Column::Scan) => scanned(values, scans, feet, mass_kg, size),
         None => upright(size, feet, mass_kg).map(|upright| upright.body().map(Arc::new)),
     };
     match found {
@@ -530,8 +528,9 @@ fn scanned(
     scans: &Scans,
     feet_m: Option<Vec<[f64; 2]>>,
     mass_kg: Option<f64>,
-    height_m: Option<f64>,
+    size: &Size,
 ) -> Option<Result<Arc<BodyInPose>, Problem>> {
+    let (height_m, cg_height_m) = (size.height_m, size.cg_height_m);
     let file = values.text(Column::Scan);
     let unit_m = values.named(Column::ScanUnit, SCAN_UNITS);
     let base = values.named(Column::ScanBase, SCAN_BASES);
@@ -549,6 +548,7 @@ fn scanned(
         leaking: Leaking::Refuse,
         feet_m,
         pose: 1,
+        cg_height_m,
         mass_kg,
     };
     let body = scans.body(&file, &scan);

@@ -47,6 +47,27 @@ pub struct Solid {
     pub is_hull: bool,
 }
 
+impl Solid {
+    /// The same with its centre of gravity so high above its lowest point \[m\]; its moments of inertia remain those of
+    /// the uniform body.
+    ///
+    /// # Errors
+    /// A centre of gravity outside of its hull.
+    pub fn with_cg_height(self, height_m: f64) -> Result<Self, HullError> {
+        let hull = &self.body.hull;
+        let depth_m = hull.height_m(&[0.0, 0.0, -1.0]);
+        let up_m = height_m - depth_m;
+        let lowered = hull.vertices_m().iter().map(|[x, y, z]| [*x, *y, z - up_m]);
+        let hull = Hull::new(lowered.collect(), hull.faces().to_vec())?;
+        let [x, y, z] = self.cg_m;
+        Ok(Self {
+            body: HullBody { hull, ..self.body },
+            cg_m: [x, y, z + up_m],
+            ..self
+        })
+    }
+}
+
 /// The uniform body of this mass whose surface is a mesh; `unit_m` is the length of one unit of its file.
 ///
 /// # Errors

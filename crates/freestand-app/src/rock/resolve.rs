@@ -96,7 +96,7 @@ impl Kind {
         let is_of_cushions =
             OF_CUSHIONS.contains(&key) || OF_SPACE.contains(&key) || OF_STACK.contains(&key);
         match key {
-            "cg_height" | "height" | "thickness" | "width" | "diameter" if self == Self::Scan => (
+            "height" | "thickness" | "width" | "diameter" if self == Self::Scan => (
                 format!("`{key}` does not apply to a scan"),
                 "leave it out: the size of a scan follows from its file and `scan_unit`",
             ),

@@ -128,7 +128,10 @@ impl Drawn<'_> {
                 true => &waves[..],
                 false => &[],
             };
-            let up_m = drawn.cg_ratio * standing.pose().cg_height_m;
+            let up_m = match body.is_cg_stated {
+                true => 0.0,
+                false => drawn.cg_ratio * standing.pose().cg_height_m,
+            };
             standing = standing.uneven(up_m, waves);
         }
         Some(OnHull {

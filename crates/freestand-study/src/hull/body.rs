@@ -208,6 +208,8 @@ pub struct Scan {
     pub feet_m: Option<Vec<[f64; 2]>>,
     /// The number of its stable pose, from 1.
     pub pose: usize,
+    /// Height of its centre of gravity above its lowest point, where it is known \[m\].
+    pub cg_height_m: Option<f64>,
     /// Its mass, where it is known \[kg\].
     pub mass_kg: Option<f64>,
 }
@@ -245,13 +247,25 @@ impl Scan {
             _ => (Underside::Flat(within_m), BodyKind::ScanOnFlatBase),
         };
         let of_mass = self.mass_kg.unwrap_or(1.0);
+        let solid = scanned_body(mesh, self.unit_m, of_mass, self.leaking, &underside)
+            .map_err(|problem| problem.of(&["scan"]))?;
+        let solid = match self.cg_height_m {
+            None => solid,
+            Some(height_m) => solid.with_cg_height(height_m).map_err(|_| {
+                let message = format!(
+                    "the centre of gravity, {} m above the lowest point, is not inside the scan",
+                    number(height_m, 4)
+                );
+                let hint = "give its height above the floor on which the scan stands";
+                Problem::value(message, hint).of(&["cg_height"])
+            })?,
+        };
         let Solid {
             body,
             volume_m3,
             is_hull,
             ..
-        } = scanned_body(mesh, self.unit_m, of_mass, self.leaking, &underside)
-            .map_err(|problem| problem.of(&["scan"]))?;
+        } = solid;
         let density = of_mass / volume_m3;
         if self.mass_kg.is_some() && !DENSITIES_KG_M3.contains(&density) {
             let message = format!(
@@ -267,7 +281,7 @@ impl Scan {
             _ => within_m,
         };
         let key = if self.pose > 1 { "stand_on" } else { "scan" };
-        BodyInPose::new(
+        let posed = BodyInPose::new(
             &body,
             kind,
             volume_m3,
@@ -275,7 +289,11 @@ impl Scan {
             self.mass_kg,
             self.pose,
             error_m,
-        )
-        .map_err(|problem| problem.of(&[key]))
+        );
+        let posed = posed.map_err(|problem| problem.of(&[key]))?;
+        Ok(BodyInPose {
+            is_cg_stated: self.cg_height_m.is_some(),
+            ..posed
+        })
     }
 }

@@ -92,6 +92,8 @@ pub struct BodyInPose {
     pub height_m: f64,
     /// How far the surface of a scan may be from the true one \[m\].
     pub scan_error_m: f64,
+    /// Whether the height of the centre of gravity of a scan was stated; else it is that of a uniform body.
+    pub is_cg_stated: bool,
 }
 
 /// The height of the centre of gravity from which on contacts sink as far as those of the rocks of the tests; those of
@@ -154,6 +156,7 @@ impl BodyInPose {
             pose,
             height_m: height_m(body, standing_down),
             scan_error_m,
+            is_cg_stated: false,
         })
     }
 }
