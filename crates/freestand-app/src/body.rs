@@ -13,7 +13,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::words::{Choices, number};
 use freestand_input::written::Written;
 use freestand_scan::body::{Leaking, Solid, Underside, scanned_body};
-use freestand_study::hull::{BodyInPose, BodyKind};
+use freestand_study::hull::{BodyInPose, BodyKind, Surface};
 use freestand_study::spatial;
 
 use crate::block;
@@ -335,7 +335,8 @@ fn scanned(
         _ => Underside::Flat(within_m),
     };
     let of_mass = mass_kg.unwrap_or(1.0);
-    let solid = scanned_body(&mesh, unit_m?, of_mass, leaking, &underside);
+    let unit_m = unit_m?;
+    let solid = scanned_body(&mesh, unit_m, of_mass, leaking, &underside);
     let in_file = |problem: Problem| problem.in_file(Path::new(path));
     let solid = read.keep("scan", solid.map_err(in_file))?;
     let density = of_mass / solid.volume_m3;
@@ -360,8 +361,8 @@ fn scanned(
     let Solid {
         body,
         volume_m3,
+        cg_m,
         is_hull,
-        ..
     } = solid;
     let error_m = match kind {
         BodyKind::Scan => error_m.unwrap_or(0.0),
@@ -369,7 +370,14 @@ fn scanned(
     };
     let posed = BodyInPose::new(&body, kind, volume_m3, is_hull, mass_kg, pose, error_m);
     let key = if pose > 1 { "stand_on" } else { "scan" };
-    read.keep(key, posed).map(Arc::new)
+    let posed = read.keep(key, posed)?;
+    let about_cg = |vertex: &[f64; 3]| [0, 1, 2].map(|i| (unit_m * vertex[i] - cg_m[i]) as f32);
+    // Also where its hull takes its place: it is what the scanner saw.
+    let surface = Surface {
+        vertices_m: mesh.vertices.iter().map(about_cg).collect(),
+        faces: mesh.faces.clone(),
+    };
+    Some(Arc::new(BodyInPose { surface, ..posed }))
 }
 
 /// The body in three dimensions that is asked for: by a scan, by its feet or by its shape.

@@ -46,6 +46,10 @@ const FAKE: Program = Program {
     check,
     typed,
     read: Ok,
+    surface: |request| match request.command.as_str() {
+        "object" => Ok(b"\x01\x02".to_vec()),
+        _ => Err(Refusal::new(Status::BadInput, "value", "it is flat", "")),
+    },
     answer: fake,
 };
 
@@ -539,6 +543,7 @@ fn methods_and_types() {
         ("PUT /api/v1/run", "POST"),
         ("GET /api/v1/asked", "POST"),
         ("GET /api/v1/quantities", "POST"),
+        ("GET /api/v1/surface", "POST"),
         ("PUT /api/v1/jobs/job-1", "DELETE"),
         ("POST /api/v1/jobs/job-1/events", "GET"),
     ] {

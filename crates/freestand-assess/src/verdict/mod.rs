@@ -51,7 +51,7 @@ pub use comparisons::{P58_BETA, P58_SHARE};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{NoShockLimits, Nominal, NominalRun, NotFollowed};
-pub(crate) use object::Subject;
+pub(crate) use object::{Subject, round_body};
 pub use object::{HULL_FRICTION_RATIO, middle};
 pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub use tally::Tally;
