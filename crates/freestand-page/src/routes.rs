@@ -139,7 +139,13 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             Ok(value(StatusCode::OK, &read))
         }
         (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?).await,
-        (_, ["v1", "files" | "run" | "asked" | "surface" | "quantities" | "jobs"]) => Ok(not_allowed("POST")),
+        (
+            _,
+            [
+                "v1",
+                "files" | "run" | "asked" | "surface" | "quantities" | "jobs",
+            ],
+        ) => Ok(not_allowed("POST")),
         (&Method::DELETE, ["v1", "jobs", id]) => {
             site.jobs.find(id)?.cancel.cancel();
             Ok(nothing())
@@ -393,7 +399,11 @@ async fn surface(site: &Site, asked: Asked) -> Result<Answered, Refusal> {
     let bytes = tokio::task::spawn_blocking(move || made(&request)).await;
     let bytes = bytes.map_err(|_| defect())??;
     let content = Content::Whole(Some(bytes.into()));
-    Ok(response(StatusCode::OK, "application/octet-stream", content))
+    Ok(response(
+        StatusCode::OK,
+        "application/octet-stream",
+        content,
+    ))
 }
 
 /// Whether a channel has received something, rather than being closed.

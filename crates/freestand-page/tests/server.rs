@@ -531,6 +531,21 @@ fn paths_are_looked_up_in_tables() {
 }
 
 #[test]
+fn a_surface_comes_as_bytes() {
+    let site = Site::new();
+    let found = site.post("/api/v1/surface", &json!({"command": "object"}));
+    assert_eq!(found.status, 200);
+    assert_eq!(
+        found.header("content-type"),
+        Some("application/octet-stream")
+    );
+    assert_eq!(found.body, [1, 2]);
+    let flat = site.post("/api/v1/surface", &json!({"command": "echo"}));
+    assert_eq!(flat.status, 400);
+    assert_eq!(flat.json()["error"]["message"], "it is flat");
+}
+
+#[test]
 fn methods_and_types() {
     let site = Site::new();
     let bearer = site.bearer();

@@ -310,7 +310,12 @@ mod tests {
         let both: Vec<(f64, [f64; 2])> = points.iter().map(|(t, y)| (*t, [*y, 7.0 * t])).collect();
         let (times, [values, line]) = thinned(&both, [1e-3, 1e-9], |time| kept.contains(&time));
         let thin: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
-        assert!(times.iter().zip(line).all(|(time, value)| value == 7.0 * time));
+        assert!(
+            times
+                .iter()
+                .zip(line)
+                .all(|(time, value)| value == 7.0 * time)
+        );
         assert!(thin.len() < points.len() / 8, "{}", thin.len());
         let worst = points
             .iter()

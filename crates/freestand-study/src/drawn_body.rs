@@ -150,7 +150,10 @@ fn floor(motion: &SpatialMotion<'_>) -> (Vec<f64>, [Vec<f64>; 2]) {
     let any = both.into_iter().flatten().next();
     let (count, dt_s) = any.map_or((0, 0.0), |one| (one.accel_m_s2().len(), one.dt_s()));
     let at = |i: usize| {
-        both.map(|one| one.and_then(|one| one.accel_m_s2().get(i).copied()).unwrap_or(0.0))
+        both.map(|one| {
+            one.and_then(|one| one.accel_m_s2().get(i).copied())
+                .unwrap_or(0.0)
+        })
     };
     let samples: Vec<(f64, [f64; 2])> = (0..count).map(|i| (i as f64 * dt_s, at(i))).collect();
     let all = samples.iter().flat_map(|(_, both)| both);
@@ -170,7 +173,10 @@ mod tests {
         let next = times
             .partition_point(|one| *one < time)
             .clamp(1, times.len() - 1);
-        let ([t0, t1], [y0, y1]) = ([times[next - 1], times[next]], [values[next - 1], values[next]]);
+        let ([t0, t1], [y0, y1]) = (
+            [times[next - 1], times[next]],
+            [values[next - 1], values[next]],
+        );
         y0 + (y1 - y0) * (time - t0) / (t1 - t0)
     }
 

@@ -367,7 +367,8 @@ pub struct HullReport {
 }
 
 pub(crate) fn not_followed(error: HullError) -> Problem {
-    let hint = "resample one of them to the step and length of the other first, with motion convert";
+    let hint =
+        "resample one of them to the step and length of the other first, with motion convert";
     Problem::value(error.to_string(), hint)
 }
 

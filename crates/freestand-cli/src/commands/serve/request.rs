@@ -245,7 +245,12 @@ fn surface(request: &Request) -> Result<Vec<u8>, Refusal> {
     let mut whole = whole.map(|one| one.to_le_bytes());
     let counts: Vec<[u8; 4]> = whole.by_ref().take(2).collect();
     let places = vertices_m.as_flattened().iter().map(|x| x.to_le_bytes());
-    Ok(counts.into_iter().chain(places).chain(whole).flatten().collect())
+    Ok(counts
+        .into_iter()
+        .chain(places)
+        .chain(whole)
+        .flatten()
+        .collect())
 }
 
 /// The texts of a form, `{"texts": [{"text", "quantity", "units"}]}`, as the program reads them.

@@ -62,7 +62,8 @@ export function begin(): Film | null {
   scene.add(world);
 
   const pose = noPose();
-  let [around, up, wide, high, size] = [-1.0, 0.32, 1, 1, 1];
+  // From where the arrow to the weakest side points to the right and a little to the front.
+  let [around, up, wide, high, size] = [-Math.PI / 3, 0.32, 1, 1, 1];
   let [history, space]: [History | null, Space | null] = [null, null];
   let moves: [number[], number[]] = [[], []];
   let length = 1;
@@ -81,20 +82,20 @@ export function begin(): Film | null {
       }
       mesh.scale.set(...space.scale_ratio);
       mesh.position.set(...space.shift_m);
-      skin.color.set(colours.obj).lerp(new Color(colours.mu), 0.35);
+      skin.color.set(colours.obj).lerp(new Color(colours.mu), 0.5);
       (ground.material as MeshBasicMaterial).color.set(colours.pa).lerp(new Color(colours.ln), 0.6);
       (weakest.material as MeshBasicMaterial).color.set(colours.re);
       (pushed.material as MeshBasicMaterial).color.set(colours.ac);
       world.remove(grid);
       grid.dispose();
-      grid = new GridHelper(5 * size, 20, colours.ed, colours.ed);
+      grid = new GridHelper(3.6 * size, 18, colours.ed, colours.ed);
       grid.rotateX(Math.PI / 2);
       world.add(grid);
       renderer.setClearColor(colours.pa);
       ground.scale.setScalar(2.6 * size);
       ground.position.z = -0.004 * size;
       grid.position.z = -0.002 * size;
-      length = Math.max(0.75 * size, one.base_width_m);
+      length = Math.max(0.9 * size, one.base_width_m);
       weakest.visible = space.weakest_rad !== null;
       weakest.scale.setScalar(length);
       weakest.rotation.z = space.weakest_rad ?? 0;
@@ -131,10 +132,11 @@ export function begin(): Film | null {
       const far = (1.3 * size) / Math.sin(half);
       camera.near = 0.05 * far;
       camera.far = 4 * far;
-      camera.position.set(far * Math.cos(up) * Math.cos(around), far * Math.cos(up) * Math.sin(around), middle + far * Math.sin(up));
+      const from = (space.weakest_rad ?? 0) + around;
+      camera.position.set(far * Math.cos(up) * Math.cos(from), far * Math.cos(up) * Math.sin(from), middle + far * Math.sin(up));
       camera.lookAt(0, 0, middle);
       camera.updateProjectionMatrix();
-      light.position.set(Math.cos(around + 0.9), Math.sin(around + 0.9), 1.4);
+      light.position.set(Math.cos(from + 0.9), Math.sin(from + 0.9), 1.4);
       renderer.render(scene, camera);
       TIP.set(length * Math.cos(space.weakest_rad ?? 0), length * Math.sin(space.weakest_rad ?? 0), 0).add(world.position).project(camera);
       film.tip.x = (0.5 + 0.5 * TIP.x) * wide;
