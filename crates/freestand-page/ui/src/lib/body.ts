@@ -17,10 +17,16 @@ export function readSurface(bytes: ArrayBuffer): Surface {
 
 let last: { key: string; surface: Promise<Surface> } | null = null;
 
+/** The options that say what an object looks like, besides those of a scan. */
+const OF_SHAPE: readonly string[] = ['height', 'diameter', 'cg-height', 'mass'];
+
+/** Whether a question is about a body in three dimensions. */
+export const isOfBody = ({ options, files }: Ask) => 'diameter' in options || files?.['scan'] !== undefined;
+
 /** The surface of the object of a question. Its earthquake changes nothing, so the last one is kept. */
 export function surfaceOf({ command, options, files }: Ask): Promise<Surface> {
-  const { scan } = files ?? {};
-  const key = JSON.stringify([options, scan]);
+  const shape = Object.entries(options).filter(([name]) => OF_SHAPE.includes(name) || name.startsWith('scan'));
+  const key = JSON.stringify([shape, files?.['scan']]);
   if (last?.key !== key) {
     const surface = surfaceBytes({ command, options, ...(files ? { files } : {}) }).then(readSurface);
     last = { key, surface };
