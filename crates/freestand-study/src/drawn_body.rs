@@ -189,7 +189,7 @@ mod tests {
         let body = BodyInPose::new(&solid, kind, volume_m3, false, None, 1, 0.0).unwrap();
         let wave = |hz: f64, peak: f64| {
             let at = |i: i32| peak * (std::f64::consts::TAU * hz * 0.01 * f64::from(i)).sin();
-            Motion::new((0..300).map(at).collect(), 0.01).unwrap()
+            Motion::new(0.01, (0..300).map(at).collect()).unwrap()
         };
         let (along, across) = (wave(1.1, 5.5), wave(0.7, 4.0));
         let motion = SpatialMotion {
