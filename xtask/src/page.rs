@@ -8,9 +8,10 @@ use std::process::{Command, Stdio};
 const UI: &str = "crates/freestand-page/ui";
 
 /// What the build makes, in `dist`; each also packed, as `.gz`.
-const BUILT: [&str; 4] = [
+const BUILT: [&str; 5] = [
     "index.html",
     "assets/app.js",
+    "assets/film.js",
     "assets/app.css",
     "assets/icon.svg",
 ];

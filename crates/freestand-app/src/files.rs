@@ -6,6 +6,7 @@ use std::sync::Arc;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
+pub use freestand_scan::formats::is_mesh;
 use freestand_scan::formats::{parse_mesh, read_mesh};
 use freestand_scan::mesh::Mesh;
 use freestand_study::recorded::ReadMotion;

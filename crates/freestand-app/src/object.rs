@@ -11,6 +11,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_study::building::MAX_STOREYS;
+use freestand_study::hull::Surface;
 use freestand_study::hull::body::Form;
 use freestand_study::resolve::Overrides;
 
@@ -224,6 +225,15 @@ impl Question for Object {
 }
 
 impl Object {
+    /// What the object looks like in three dimensions, in the axes of its histories there; `None`: it is drawn in a
+    /// plane.
+    ///
+    /// # Errors
+    /// As for [`Question::check`].
+    pub fn surface(&self, files: &Files) -> Result<Option<Surface>, Problems> {
+        Ok(self.judged(files)?.0.object.surface())
+    }
+
     /// The request without its motions, and how they are read.
     fn judged<'f>(&self, files: &'f Files) -> Result<(ObjectRequest, NamedRecords<'f>), Problems> {
         let words = self.words();

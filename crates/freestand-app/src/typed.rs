@@ -148,6 +148,8 @@ struct Call {
     function: &'static str,
     /// Keys whose values are given without a name.
     first: &'static [&'static str],
+    /// Keys in place of which these may be missing.
+    instead: &'static [&'static str],
     /// Whether a key is one of its other arguments; parts of a request may be objects in Python.
     takes: fn(&str) -> bool,
 }
@@ -157,12 +159,14 @@ const CALLS: [Call; 8] = [
         command: "object",
         function: "check_object",
         first: &["height", "thickness"],
+        instead: &["scan", "diameter"],
         takes: |key| key != "units" && !keys::<Records>().iter().any(|one| one == key),
     },
     Call {
         command: "spectrum",
         function: "spectrum",
         first: &["motion", "heights", "thicknesses"],
+        instead: &[],
         takes: |key| {
             let others = [
                 "pairs",
@@ -180,30 +184,35 @@ const CALLS: [Call; 8] = [
         command: "motion spectrum",
         function: ".spectrum",
         first: &["motion"],
+        instead: &[],
         takes: |_| true,
     },
     Call {
         command: "cushion drop",
         function: "drop_test",
         first: &["files"],
+        instead: &[],
         takes: |key| key != "resample",
     },
     Call {
         command: "cushion static",
         function: "static_test",
         first: &["files"],
+        instead: &[],
         takes: |_| true,
     },
     Call {
         command: "inventory check",
         function: "check_inventory",
         first: &["file"],
+        instead: &[],
         takes: |key| !["units", "headings", "cells"].contains(&key),
     },
     Call {
         command: "assess",
         function: "assess",
         first: &[],
+        instead: &[],
         takes: |key| {
             let of_report = [
                 "format", "pages", "cards", "date", "preparer", "revision", "fail_on",
@@ -215,6 +224,7 @@ const CALLS: [Call; 8] = [
         command: "validate",
         function: "validate",
         first: &[],
+        instead: &[],
         takes: |_| true,
     },
 ];
@@ -248,13 +258,28 @@ fn called(call: &Call, given: &[Given], motion: Option<&Given>) -> Option<String
         None => None,
     };
     let mut first = Vec::new();
-    for key in call.first.iter().filter(|key| **key != MOTION) {
-        first.push(others.iter().find(|one| one.key == *key)?.code()?);
+    let keys = call.first.iter().filter(|key| **key != MOTION);
+    let places = keys.map(|key| others.iter().position(|one| one.key == *key));
+    let has_other = given
+        .iter()
+        .any(|one| call.instead.contains(&one.key.as_str()));
+    let mut placed = Vec::new();
+    // One that follows a missing one is given by its name.
+    for place in places {
+        match place {
+            Some(place) => {
+                first.push(others.get(place)?.code()?);
+                placed.push(place);
+            }
+            None if has_other => break,
+            None => return None,
+        }
     }
     let mut named = Vec::new();
-    for one in others
+    for (_, one) in others
         .iter()
-        .filter(|one| !call.first.contains(&one.key.as_str()))
+        .enumerate()
+        .filter(|(place, _)| !placed.contains(place))
     {
         if !(call.takes)(&one.key) {
             return None;

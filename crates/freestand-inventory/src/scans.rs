@@ -8,8 +8,8 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
 use freestand_scan::formats::read_mesh;
 use freestand_scan::mesh::Mesh;
-use freestand_study::hull::BodyInPose;
 use freestand_study::hull::body::Scan;
+use freestand_study::hull::{BodyInPose, Surface};
 
 /// What several rows ask for and the first of them makes.
 type Once<K, T> = Mutex<HashMap<K, Arc<OnceLock<Result<T, Problem>>>>>;
@@ -45,7 +45,10 @@ impl Scans {
             let (_, mesh) = read
                 .as_ref()
                 .map_err(|problem| problem.clone().of(&["scan"]))?;
-            scan.body(mesh).map(Arc::new)
+            // Nobody draws it: its triangles would be kept with every row.
+            let surface = Surface::default();
+            let body = scan.body(mesh)?;
+            Ok(Arc::new(BodyInPose { surface, ..body }))
         });
         made.clone()
     }

@@ -2,8 +2,8 @@
 //! and answers its requests.
 //!
 //! It knows no command. A [`Program`] says what there is (`facts`), what an uploaded file is
-//! (`kind`), how a [`Request`] is typed elsewhere (`typed`), what its answer is (`answer`) and how texts
-//! are read (`read`); all of HTTP is here: who may ask
+//! (`kind`), how a [`Request`] is typed elsewhere (`typed`), what its answer is (`answer`), what its object
+//! looks like (`surface`) and how texts are read (`read`); all of HTTP is here: who may ask
 //! (`guard`), files that were uploaded (`uploads`), requests of which only the newest counts
 //! (`slots`), work that takes long (`jobs`), and the page itself (`assets`).
 
@@ -42,6 +42,8 @@ pub struct Program {
     pub typed: fn(&Request) -> Result<Value, Refusal>,
     /// Texts of a form as the program reads them: the document of `POST /api/v1/quantities`.
     pub read: fn(Value) -> Result<Value, Refusal>,
+    /// The triangles of the object of a request, for `POST /api/v1/surface`. It is called on a thread that may block.
+    pub surface: fn(&Request) -> Result<Vec<u8>, Refusal>,
     /// The answer to a request. It is called on a thread that may block.
     pub answer: fn(&Request, &Cancel, &Events) -> Result<Reply, Refusal>,
 }
@@ -58,6 +60,8 @@ pub enum Kind {
     DropTest,
     /// A study.
     Study,
+    /// A scan of an object.
+    Scan,
     /// None of these.
     Unknown,
 }

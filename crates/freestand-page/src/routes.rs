@@ -133,12 +133,19 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             let typed = (site.program.typed)(&understood(&site, asked, None)?)?;
             Ok(value(StatusCode::OK, &typed))
         }
+        (&Method::POST, ["v1", "surface"]) => surface(&site, body(request).await?).await,
         (&Method::POST, ["v1", "quantities"]) => {
             let read = (site.program.read)(body(request).await?)?;
             Ok(value(StatusCode::OK, &read))
         }
         (&Method::POST, ["v1", "jobs"]) => job(&site, body(request).await?).await,
-        (_, ["v1", "files" | "run" | "asked" | "quantities" | "jobs"]) => Ok(not_allowed("POST")),
+        (
+            _,
+            [
+                "v1",
+                "files" | "run" | "asked" | "surface" | "quantities" | "jobs",
+            ],
+        ) => Ok(not_allowed("POST")),
         (&Method::DELETE, ["v1", "jobs", id]) => {
             site.jobs.find(id)?.cancel.cancel();
             Ok(nothing())
@@ -383,6 +390,20 @@ async fn live(site: Arc<Site>, asked: Asked) -> Result<Answered, Refusal> {
         Ok(answer) => Ok(document(StatusCode::OK, answer?.document)),
         Err(_) => Err(defect()),
     }
+}
+
+/// The triangles of an object, as bytes.
+async fn surface(site: &Site, asked: Asked) -> Result<Answered, Refusal> {
+    let request = understood(site, asked, None)?;
+    let made = site.program.surface;
+    let bytes = tokio::task::spawn_blocking(move || made(&request)).await;
+    let bytes = bytes.map_err(|_| defect())??;
+    let content = Content::Whole(Some(bytes.into()));
+    Ok(response(
+        StatusCode::OK,
+        "application/octet-stream",
+        content,
+    ))
 }
 
 /// Whether a channel has received something, rather than being closed.

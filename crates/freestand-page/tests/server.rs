@@ -46,6 +46,10 @@ const FAKE: Program = Program {
     check,
     typed,
     read: Ok,
+    surface: |request| match request.command.as_str() {
+        "object" => Ok(b"\x01\x02".to_vec()),
+        _ => Err(Refusal::new(Status::BadInput, "value", "it is flat", "")),
+    },
     answer: fake,
 };
 
@@ -527,6 +531,21 @@ fn paths_are_looked_up_in_tables() {
 }
 
 #[test]
+fn a_surface_comes_as_bytes() {
+    let site = Site::new();
+    let found = site.post("/api/v1/surface", &json!({"command": "object"}));
+    assert_eq!(found.status, 200);
+    assert_eq!(
+        found.header("content-type"),
+        Some("application/octet-stream")
+    );
+    assert_eq!(found.body, [1, 2]);
+    let flat = site.post("/api/v1/surface", &json!({"command": "echo"}));
+    assert_eq!(flat.status, 400);
+    assert_eq!(flat.json()["error"]["message"], "it is flat");
+}
+
+#[test]
 fn methods_and_types() {
     let site = Site::new();
     let bearer = site.bearer();
@@ -539,6 +558,7 @@ fn methods_and_types() {
         ("PUT /api/v1/run", "POST"),
         ("GET /api/v1/asked", "POST"),
         ("GET /api/v1/quantities", "POST"),
+        ("GET /api/v1/surface", "POST"),
         ("PUT /api/v1/jobs/job-1", "DELETE"),
         ("POST /api/v1/jobs/job-1/events", "GET"),
     ] {

@@ -12,7 +12,7 @@ function packed(): Plugin {
     configResolved({ build }) { folder = build.outDir; },
     async closeBundle() {
       const { readFile, writeFile } = await import('node:fs/promises');
-      for (const name of ['index.html', 'assets/app.js', 'assets/app.css', 'assets/icon.svg']) {
+      for (const name of ['index.html', 'assets/app.js', 'assets/film.js', 'assets/app.css', 'assets/icon.svg']) {
         const bytes = await readFile(`${folder}/${name}`);
         await writeFile(`${folder}/${name}.gz`, gzipSync(bytes, { level: 9 }));
       }
@@ -32,7 +32,10 @@ export default defineConfig({
       output: {
         entryFileNames: 'assets/app.js',
         assetFileNames: (file) => (file.names[0]?.endsWith('.css') ? 'assets/app.css' : 'assets/[name][extname]'),
-        codeSplitting: false,
+        // The film in three dimensions, with three.js, is all that is not loaded at once.
+        // Licences ask that their notice stays with the code.
+        comments: { legal: true },
+        chunkFileNames: 'assets/[name].js',
       },
     },
   },

@@ -36,10 +36,19 @@ pub fn parse_mesh(bytes: &[u8]) -> Result<Mesh, Problem> {
     parse(bytes)?.checked()
 }
 
+/// Whether the content is that of a mesh, as far as its beginning and its words tell.
+pub fn is_mesh(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"glTF") || is_ply(bytes) || is_stl(bytes) || is_obj(bytes)
+}
+
+fn is_ply(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r")
+}
+
 fn parse(bytes: &[u8]) -> Result<Mesh, Problem> {
     if bytes.starts_with(b"glTF") || is_json(bytes) {
         glb::parse(bytes)
-    } else if bytes.starts_with(b"ply\n") || bytes.starts_with(b"ply\r") {
+    } else if is_ply(bytes) {
         ply(bytes)
     } else if is_stl(bytes) {
         stl(bytes)

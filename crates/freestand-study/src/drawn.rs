@@ -17,10 +17,10 @@ pub const TOLERANCE_RAD: f64 = 0.02 * std::f64::consts::PI / 180.0;
 
 /// The part of the tolerance that thinning may use. The rest is for the curve between two samples:
 /// p² h²/8 = 5e-5 rad for p = 4 rad/s and samples at 5 ms.
-const THINNING_RATIO: f64 = 0.75;
+pub(crate) const THINNING_RATIO: f64 = 0.75;
 
 /// The part of its peak by which the acceleration of the floor may be off, which is drawn as an arrow.
-const ACCELERATION_RATIO: f64 = 0.005;
+pub(crate) const ACCELERATION_RATIO: f64 = 0.005;
 
 /// A history, piecewise linear in time.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -55,6 +55,29 @@ pub struct DrawnHistory {
     pub wall_left: Option<DrawnWall>,
     /// The wall on its right.
     pub wall_right: Option<DrawnWall>,
+    /// Where the object is, if it moves in three dimensions; θ is then its tilt in any direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub space: Option<DrawnSpace>,
+}
+
+/// Where a body in three dimensions is at the times of its history. A point p of its surface is then at
+/// x + Q (s + S p), in the axes of the floor, z upward.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DrawnSpace {
+    /// x: its centre of gravity \[m\].
+    pub place_m: [Vec<f64>; 3],
+    /// Q: w, x, y, z of a quaternion.
+    pub turn: [Vec<f64>; 4],
+    /// S: its lengths in this history over those of the surface.
+    pub scale_ratio: [f64; 3],
+    /// s: how far the surface is from where it is given, about the centre of gravity \[m\].
+    pub shift_m: [f64; 3],
+    /// The second component of the acceleration of the floor, at the times of the first \[m/s²\].
+    pub base_accel_y_m_s2: Vec<f64>,
+    /// Where its weakest side is at rest, from x to y of the floor; `None`: it is round \[rad\].
+    pub weakest_rad: Option<f64>,
+    /// No place is off by more than this \[m\].
+    pub tolerance_m: f64,
 }
 
 /// A wall beside an object.
@@ -141,6 +164,7 @@ fn of_points(
 ) -> DrawnHistory {
     impacts.sort_by(|a, b| a.time_s.total_cmp(&b.time_s));
     let points = with_times(points, impacts.iter().map(|impact| impact.time_s));
+    let points: Vec<(f64, [f64; 1])> = points.into_iter().map(|(t, y)| (t, [y])).collect();
     let mut at = impacts.iter().map(|impact| impact.time_s).peekable();
     let is_kept = |time_s: f64| {
         let mut is_one = false;
@@ -149,11 +173,9 @@ fn of_points(
         }
         is_one
     };
-    let (time_s, theta_rad) = thinned(&points, THINNING_RATIO * TOLERANCE_RAD, is_kept)
-        .into_iter()
-        .unzip();
+    let (time_s, [theta_rad]) = thinned(&points, [THINNING_RATIO * TOLERANCE_RAD], is_kept);
     let samples = floor.map(|motion| {
-        let of = |(i, accel): (usize, &f64)| (i as f64 * motion.dt_s(), *accel);
+        let of = |(i, accel): (usize, &f64)| (i as f64 * motion.dt_s(), [*accel]);
         motion
             .accel_m_s2()
             .iter()
@@ -164,11 +186,9 @@ fn of_points(
     let samples = samples.unwrap_or_default();
     let peak_m_s2 = samples
         .iter()
-        .fold(0.0f64, |most, (_, accel)| most.max(accel.abs()));
-    let (base_time_s, base_accel_m_s2) =
-        thinned(&samples, ACCELERATION_RATIO * peak_m_s2, |_| false)
-            .into_iter()
-            .unzip();
+        .fold(0.0f64, |most, (_, [accel])| most.max(accel.abs()));
+    let (base_time_s, [base_accel_m_s2]) =
+        thinned(&samples, [ACCELERATION_RATIO * peak_m_s2], |_| false);
     DrawnHistory {
         time_s,
         theta_rad,
@@ -185,6 +205,7 @@ fn of_points(
         balance_rad: block.pivot().slenderness_angle_rad,
         wall_left: None,
         wall_right: None,
+        space: None,
     }
 }
 
@@ -216,40 +237,54 @@ fn rising(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     found
 }
 
-/// The fewest of these points that one pass finds, so that the straight lines between them are within
-/// the tolerance of all; those at times that `is_kept` names are among them. It is asked in the order of
+/// The times and the values of the fewest of these points that one pass finds, so that the straight lines between them
+/// are within the tolerances of all; those at times that `is_kept` names are among them. It is asked in the order of
 /// time.
-fn thinned(
-    points: &[(f64, f64)],
-    tolerance: f64,
+pub(crate) fn thinned<const N: usize>(
+    points: &[(f64, [f64; N])],
+    tolerances: [f64; N],
     mut is_kept: impl FnMut(f64) -> bool,
-) -> Vec<(f64, f64)> {
+) -> (Vec<f64>, [Vec<f64>; N]) {
+    const OPEN: (f64, f64) = (f64::NEG_INFINITY, f64::INFINITY);
+    let (mut times, mut values) = (Vec::new(), [const { Vec::new() }; N]);
     let Some((&first, rest)) = points.split_first() else {
-        return Vec::new();
+        return (times, values);
     };
-    let mut found = vec![first];
-    let (mut anchor, mut last) = (first, first);
-    let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut keep = |(time, all): (f64, [f64; N])| {
+        times.push(time);
+        for (values, value) in values.iter_mut().zip(all) {
+            values.push(value);
+        }
+    };
+    keep(first);
+    let (mut anchor, mut last, mut is_last_kept) = (first, first, true);
+    let mut slopes = [OPEN; N];
     for &point in rest {
-        let slope = |from: (f64, f64), to: f64| (to - from.1) / (point.0 - from.0);
-        if !(low..=high).contains(&slope(anchor, point.1)) {
-            found.push(last);
+        let slope = |from: (f64, [f64; N]), i: usize, off: f64| {
+            (point.1[i] + off - from.1[i]) / (point.0 - from.0)
+        };
+        let is_straight = |i: usize| (slopes[i].0..=slopes[i].1).contains(&slope(anchor, i, 0.0));
+        if !(0..N).all(is_straight) {
+            keep(last);
             anchor = last;
-            (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+            slopes = [OPEN; N];
         }
-        low = low.max(slope(anchor, point.1 - tolerance));
-        high = high.min(slope(anchor, point.1 + tolerance));
-        last = point;
+        for (i, (low, high)) in slopes.iter_mut().enumerate() {
+            *low = low.max(slope(anchor, i, -tolerances[i]));
+            *high = high.min(slope(anchor, i, tolerances[i]));
+        }
+        (last, is_last_kept) = (point, false);
         if is_kept(point.0) {
-            found.push(point);
+            keep(point);
             anchor = point;
-            (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+            slopes = [OPEN; N];
+            is_last_kept = true;
         }
     }
-    if found.last() != Some(&last) {
-        found.push(last);
+    if !is_last_kept {
+        keep(last);
     }
-    found
+    (times, values)
 }
 
 #[cfg(test)]
@@ -271,7 +306,16 @@ mod tests {
             .map(|t| (t, (3.0 * t).sin().abs() * (-0.2 * t).exp()))
             .collect();
         let kept = [points[700].0, points[701].0, points[3333].0];
-        let thin = thinned(&points, 1e-3, |time| kept.contains(&time));
+        // A second value with a tolerance of its own.
+        let both: Vec<(f64, [f64; 2])> = points.iter().map(|(t, y)| (*t, [*y, 7.0 * t])).collect();
+        let (times, [values, line]) = thinned(&both, [1e-3, 1e-9], |time| kept.contains(&time));
+        let thin: Vec<(f64, f64)> = times.iter().copied().zip(values).collect();
+        assert!(
+            times
+                .iter()
+                .zip(line)
+                .all(|(time, value)| value == 7.0 * time)
+        );
         assert!(thin.len() < points.len() / 8, "{}", thin.len());
         let worst = points
             .iter()
@@ -289,8 +333,9 @@ mod tests {
 
     #[test]
     fn nothing_and_little() {
-        assert!(thinned(&[], 1.0, |_| false).is_empty());
-        assert_eq!(thinned(&[(0.0, 1.0)], 1.0, |_| false), [(0.0, 1.0)]);
+        assert!(thinned(&[], [1.0], |_| false).0.is_empty());
+        let one = thinned(&[(0.0, [1.0])], [1.0], |_| false);
+        assert_eq!(one, (vec![0.0], [vec![1.0]]));
         assert_eq!(
             with_times(
                 vec![(0.0, 0.0), (2.0, 4.0)],

@@ -6,6 +6,7 @@ pub mod check;
 pub mod compliant;
 pub mod cushion;
 pub mod drawn;
+pub mod drawn_body;
 pub mod floor;
 pub mod hull;
 pub mod inspect;

@@ -11,6 +11,7 @@ use freestand_report::figures::{
 };
 use freestand_study::compliant::{CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
+use freestand_study::drawn_body::drawn_of_hull;
 use freestand_study::hull::{
     HullAnswer, HullReport, HullRequest, HullRun, HullSetting, rock_on_hull, spatial_point,
 };
@@ -330,9 +331,12 @@ impl Followed {
         Ok(figure.map(|figure| (file, figure)))
     }
 
-    /// Its history for a film, of an object in one plane that rocks.
-    pub fn drawn(&self) -> Option<DrawnHistory> {
-        match &self.done {
+    /// Its history for a film, of an object in one plane that rocks or of a body on its hull.
+    ///
+    /// # Errors
+    /// As for its history, which is calculated again for a body on its hull: a film has more samples.
+    pub fn drawn(&self) -> Result<Option<DrawnHistory>, Problem> {
+        Ok(match &self.done {
             Done::Rigid(request, report) => Some(drawn(
                 &request.object,
                 &report.history,
@@ -344,8 +348,9 @@ impl Followed {
                 &report.history,
                 request.horizontal.as_ref(),
             )),
-            Done::Slides(..) | Done::InSpace(_) | Done::Stack(_) | Done::Hull(..) => None,
-        }
+            Done::Hull(request, _) => Some(drawn_of_hull(request)?),
+            Done::Slides(..) | Done::InSpace(_) | Done::Stack(_) => None,
+        })
     }
 }
 

@@ -77,6 +77,16 @@ fn python_has_numbers_in_the_units_of_its_arguments() {
         "fs.check_object(1.8288, 0.4572, cushion=\"rubber-foot\", tolerance_g=15, tolerance_duration_s=0.011, \
          friction=(0.3, 0.5), wall_gap_m=0, motions=fs.read_motions([\"roof.csv\"], unit=\"g\", taper_ratio=0.05))"
     );
+    // A scan and a diameter take the place of sizes.
+    let scan = json!({"scan": "bust.glb", "scan-unit": "mm", "scan-error": "1 mm", "scan-hull": true, "place": "Athens"});
+    assert_eq!(
+        object(scan).unwrap(),
+        r#"fs.check_object(scan="bust.glb", scan_unit="mm", scan_error_m=0.001, scan_hull=True, place="Athens")"#
+    );
+    assert_eq!(
+        object(json!({"height": "1.5 m", "diameter": "225 mm", "pga": "0.3 g"})).unwrap(),
+        "fs.check_object(1.5, diameter_m=0.225, pga_g=0.3)"
+    );
     // What the program would refuse has no call, nor what no function takes.
     assert_eq!(
         object(json!({"height": "1 fathom", "thickness": "400 mm"})),

@@ -13,7 +13,7 @@ use std::sync::Arc;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
-use freestand_study::hull::BodyInPose;
+use freestand_study::hull::{BodyInPose, Surface};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
 use freestand_study::study::Study;
@@ -21,7 +21,7 @@ use freestand_study::study::Study;
 use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
-use crate::verdict::{Context, Member, Subject, assess_one};
+use crate::verdict::{Context, Member, Subject, assess_one, round_body};
 pub use crate::verdict::{Follow, HULL_FRICTION_RATIO, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
@@ -94,6 +94,16 @@ impl Object {
             body: Some(Arc::clone(&body)),
             ..Self::of_size(body.height_m, body.thickness_m())
         }
+    }
+
+    /// What it looks like in three dimensions, in the axes of a history there; `None`: it is drawn in a plane.
+    pub fn surface(&self) -> Option<Surface> {
+        if let Some(body) = &self.body {
+            return Some(body.surface.clone());
+        }
+        let (height_m, diameter_m) = (self.height_m, self.thickness_m);
+        let body = || round_body(height_m, diameter_m, self.cg_height_m, self.mass_kg);
+        Some(self.is_round.then(body)??.surface)
     }
 
     /// A box of which nothing but its size is known, in a room without walls.

@@ -4,15 +4,17 @@ use freestand::G0_M_S2;
 use freestand::compliant::CompliantAccuracy;
 use freestand::respond::{HistoryOptions, PadSummary, Pads, Plane, Settings};
 use freestand::rocking::Outcome;
+use freestand::spatial::SpatialMotion;
 use freestand_input::problem::{Problem, Problems};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
+use freestand_study::drawn_body::drawn_body;
 use freestand_study::rock::edge_landings;
 use freestand_study::unsolved;
 use serde::Serialize;
 
 use super::Context;
 use super::draw::Drawn;
-use super::object::Model;
+use super::object::{Model, Way};
 use super::response::{AxisMotion, Lived, PadMotion};
 use super::tally::deciding;
 use super::trial::Trial;
@@ -54,7 +56,7 @@ pub struct ShownEarthquake {
 }
 
 /// What is shown of a trial, by the model that decides whether the object falls. `None` if the
-/// object does not rock in a plane and no earthquake was named: then there is an answer, but
+/// object neither rocks in a plane nor on its hull and no earthquake was named: then there is an answer, but
 /// nothing to draw.
 pub(super) fn shown(
     context: &Context,
@@ -123,12 +125,8 @@ pub(super) fn shown(
         (None, Follow::Telling) => Ok(None),
         (None, Follow::Named(_)) => {
             let hint = "leave out the name of the earthquake; objects that roll or slide, stacks and objects in three \
-                        dimensions have no history to draw";
-            Err(Problem::value(
-                "the object does not rock in a plane, so it has no history to draw",
-                hint,
-            )
-            .into())
+                        dimensions on cushions have no history to draw";
+            Err(Problem::value("the object has no history to draw", hint).into())
         }
     }
 }
@@ -199,8 +197,8 @@ fn of_pads((axis, motion): (usize, &PadMotion)) -> InWorld {
     }
 }
 
-/// The history of the object in a world, with the values that were drawn there; `None` if it does
-/// not rock in a plane.
+/// The history of the object in a world, with the values that were drawn there; `None` if it neither
+/// rocks in a plane nor on its hull.
 fn history(
     context: &Context,
     trial: &Trial,
@@ -209,16 +207,29 @@ fn history(
     axis: usize,
 ) -> Result<Option<DrawnHistory>, Problems> {
     let subject = &trial.subject;
-    let Some(lived) = trial
-        .lived
-        .get(world as usize)
-        .filter(|_| subject.way.rocks() && !subject.way.is_slow())
-    else {
+    let Some(lived) = trial.lived.get(world as usize) else {
         return Ok(None);
     };
     let draw = &lived.draw;
     let one = Drawn { subject, draw };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
+    if let Way::Hull(body) = &subject.way {
+        let Some(on) = one.on_hull(body) else {
+            return Ok(None);
+        };
+        let shaking = floor.shaking();
+        let motion = SpatialMotion {
+            x: shaking.x,
+            y: shaking.y,
+            vertical: shaking.vertical,
+        };
+        let history = drawn_body(body, &on, one.drawing(body), &motion, G0_M_S2, false);
+        let history = history.map_err(|error| unsolved::problem(error.into()))?;
+        return Ok(Some(history));
+    }
+    if !subject.way.rocks() || subject.way.is_slow() {
+        return Ok(None);
+    }
     let how = HistoryOptions::sampled(Settings {
         on_pads: CompliantAccuracy::Standard,
         ..Settings::default()

@@ -51,8 +51,8 @@ pub use comparisons::{P58_BETA, P58_SHARE};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use nominal::{NoShockLimits, Nominal, NominalRun, NotFollowed};
-pub(crate) use object::Subject;
 pub use object::{HULL_FRICTION_RATIO, middle};
+pub(crate) use object::{Subject, round_body};
 pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub use tally::Tally;
 

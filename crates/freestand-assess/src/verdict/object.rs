@@ -517,7 +517,9 @@ impl Subject {
         };
         let on_hull = match (&way, &item.shape) {
             (Way::Planar | Way::Spatial(None), ItemShape::Round) => {
-                round_body(item, height_m, thickness_m)
+                // Feet of a round base are on a circle.
+                let diameter_m = item.base_thickness_m.unwrap_or(thickness_m);
+                round_body(height_m, diameter_m, item.cg_height_m, item.mass_kg).map(Arc::new)
             }
             (Way::Rolls(_) | Way::Stack(_), _) => None,
             (_, ItemShape::Body(body)) => Some(Arc::clone(body)),
@@ -548,14 +550,17 @@ impl Subject {
 }
 
 /// A round object; `None`: it is no body.
-fn round_body(item: &Item, height_m: f64, diameter_m: f64) -> Option<Arc<BodyInPose>> {
-    let mass_kg = item.mass_kg.unwrap_or(1.0);
-    // Feet of a round base are on a circle.
-    let outline = Outline::Circle(item.base_thickness_m.unwrap_or(diameter_m));
-    let (body, volume_m3) = upright(&outline, height_m, mass_kg, item.cg_height_m, None).ok()?;
+pub(crate) fn round_body(
+    height_m: f64,
+    diameter_m: f64,
+    cg_height_m: Option<f64>,
+    mass_kg: Option<f64>,
+) -> Option<BodyInPose> {
+    let of_mass = mass_kg.unwrap_or(1.0);
+    let outline = Outline::Circle(diameter_m);
+    let (body, volume_m3) = upright(&outline, height_m, of_mass, cg_height_m, None).ok()?;
     let kind = BodyKind::Cylinder;
-    let posed = BodyInPose::new(&body, kind, volume_m3, false, item.mass_kg, 1, 0.0);
-    Some(Arc::new(posed.ok()?))
+    BodyInPose::new(&body, kind, volume_m3, false, mass_kg, 1, 0.0).ok()
 }
 
 /// The damping ratio c/(2√(k m)) that a cushion brings with it.

@@ -14,6 +14,7 @@ use freestand::respond::{
 use freestand::sliding::{Clearance, Friction};
 use freestand::spatial::{Shape, SpatialObject, Stack, StackBody, Support, Wall};
 
+use freestand_study::drawn_body::Drawing;
 use freestand_study::hull::BodyInPose;
 
 use crate::result::Axis;
@@ -112,7 +113,23 @@ impl Drawn<'_> {
         Planes::of(axes.collect::<Option<Vec<_>>>()?)
     }
 
-    fn on_hull(self, body: &BodyInPose) -> Option<OnHull> {
+    /// How the surface of a body is drawn that is followed on its hull; its error is too small to be seen.
+    pub(super) fn drawing(self, body: &BodyInPose) -> Drawing {
+        let (height, side) = self.draw.factors();
+        let pose = body.standing.scaled([side, side, height], 1.0);
+        let pose = pose.pose();
+        let cg_ratio = self.draw.hull.map_or(0.0, |drawn| drawn.cg_ratio);
+        let up_m = match body.kind.is_scan() {
+            true => cg_ratio * pose.cg_height_m,
+            false => 0.0,
+        };
+        Drawing {
+            scale_ratio: [side, side, height],
+            shift_m: pose.down.map(|x| up_m * x),
+        }
+    }
+
+    pub(super) fn on_hull(self, body: &BodyInPose) -> Option<OnHull> {
         let drawn = self.draw.hull?;
         let (height, side) = self.draw.factors();
         let mut standing = body.standing.scaled([side, side, height], self.draw.mass());

@@ -96,7 +96,9 @@ impl Tell for Rock {
             if let Some(path) = &output.history {
                 write_table(path, followed.history(), SCHEMA, &motions.inputs)?;
             }
-            if let Some((session, history)) = session.zip(followed.drawn()) {
+            if let Some(session) = session
+                && let Some(history) = followed.drawn()?
+            {
                 session.beside(&Beside { history });
             }
             if let Some(target) = &target

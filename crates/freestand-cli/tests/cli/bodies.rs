@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use crate::program;
 
 /// A box of 0.2 m × 0.3 m × 1 m around the origin, in millimetres.
-fn scan(folder: &TempDir) -> String {
+pub(crate) fn scan(folder: &TempDir) -> String {
     let mut text = String::new();
     for at in 0..8 {
         let side = |bit: i32, half: i32| if at >> bit & 1 == 1 { half } else { -half };
@@ -31,7 +31,7 @@ fn written(folder: &TempDir, name: &str, text: &str) -> String {
 }
 
 /// One second of a steady acceleration, and its opposite.
-fn motion(folder: &TempDir, name: &str, peak_g: f64) -> String {
+pub(crate) fn motion(folder: &TempDir, name: &str, peak_g: f64) -> String {
     let at = |i: i32| if i < 100 { peak_g } else { -peak_g };
     let text: String = (0..200).map(|i| format!("{}\n", at(i))).collect();
     written(folder, name, &text)

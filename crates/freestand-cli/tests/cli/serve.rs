@@ -51,6 +51,12 @@ impl Page {
     }
 
     pub(super) fn post(&self, path: &str, content_type: &str, body: &[u8]) -> (u16, Value) {
+        let (status, answer) = self.bytes(path, content_type, body);
+        (status, serde_json::from_slice(&answer).unwrap())
+    }
+
+    /// The status and the bytes of an answer.
+    pub(super) fn bytes(&self, path: &str, content_type: &str, body: &[u8]) -> (u16, Vec<u8>) {
         let mut stream =
             TcpStream::connect(("127.0.0.1", u16::try_from(self.port).unwrap())).unwrap();
         let head = format!(
@@ -61,13 +67,16 @@ impl Page {
             body.len()
         );
         stream.write_all(&[head.as_bytes(), body].concat()).unwrap();
-        let mut answer = String::new();
-        stream.read_to_string(&mut answer).unwrap();
-        let (head, body) = answer.split_once("\r\n\r\n").unwrap();
-        (
-            head.split(' ').nth(1).unwrap().parse().unwrap(),
-            serde_json::from_str(body).unwrap(),
-        )
+        let mut answer = Vec::new();
+        stream.read_to_end(&mut answer).unwrap();
+        let end = answer.windows(4).position(|four| four == b"\r\n\r\n");
+        let (head, body) = answer.split_at(end.unwrap() + 4);
+        let status = String::from_utf8_lossy(head)
+            .split(' ')
+            .nth(1)
+            .unwrap()
+            .parse();
+        (status.unwrap(), body.to_vec())
     }
 
     /// The whole response, which may be in pieces.

@@ -3,6 +3,7 @@
 use super::serve::{Page, message, with_options};
 use crate::program::PROGRAM;
 use serde_json::{Value, json};
+use std::path::Path;
 use std::process::Command;
 
 #[test]
@@ -335,4 +336,88 @@ fn columns_have_the_numbers_of_the_rows() {
         (&json!("synthetic-02"), &json!(2.0))
     );
     assert_eq!(cell["rows"]["uplift_m"][1], turned["rows"]["uplift_m"][9]);
+}
+
+/// The histories of a scan: of `object` in the earthquake that is followed, and of `rock`; and its triangles.
+#[test]
+fn a_scan_has_a_history_and_a_surface() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let scan = page.upload(Path::new(&crate::bodies::scan(&folder)));
+    let motion = page.upload(Path::new(&crate::bodies::motion(&folder, "push.txt", 0.35)));
+    let options = json!({"scan-unit": "mm", "pga": "0.3 g", "worlds": 2});
+    let mut object = with_options("object", &options);
+    object["files"] = json!({"scan": scan});
+    object["history"] = json!(true);
+    let (status, found) = page.run(&object);
+    assert_eq!(status, 200, "{found}");
+    let numbers = |value: &Value| -> Vec<f64> {
+        let all = value.as_array().unwrap().iter();
+        all.map(|one| one.as_f64().unwrap()).collect()
+    };
+    let is_history = |history: &Value| {
+        let times = numbers(&history["time_s"]);
+        assert!(times.windows(2).all(|two| two[0] < two[1]));
+        assert_eq!(times[0], 0.0);
+        assert_eq!(history["theta_rad"].as_array().unwrap().len(), times.len());
+        let space = &history["space"];
+        for values in [&space["place_m"], &space["turn"]] {
+            let all = values.as_array().unwrap().iter();
+            assert!(all.map(numbers).all(|values| values.len() == times.len()));
+        }
+        assert!(space["weakest_rad"].is_number());
+        assert!(space["tolerance_m"].as_f64().unwrap() <= 1e-4);
+        // 0.02 degrees.
+        assert!(history["tolerance_rad"].as_f64().unwrap() < 3.5e-4);
+        // A unit quaternion, to the seven decimals that are handed out.
+        let turn: Vec<Vec<f64>> = space["turn"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(numbers)
+            .collect();
+        let size = |i: usize| turn.iter().map(|values| values[i].powi(2)).sum::<f64>();
+        assert!((0..times.len()).all(|i| (size(i) - 1.0).abs() < 1e-6));
+    };
+    is_history(&found["history"]);
+    // Each of the earthquakes that are shown ends as its history does.
+    for one in found["earthquakes"].as_array().unwrap() {
+        let mut named = object.clone();
+        named["history"] = json!({"motion": one["name"]});
+        let (_, told) = page.run(&named);
+        is_history(&told["history"]);
+        assert_eq!(told["history"]["outcome"], one["outcome"], "{one}");
+    }
+    let asked = object.to_string().replace("\"history\":true,", "");
+    let (status, bytes) = page.bytes("/api/v1/surface", "application/json", asked.as_bytes());
+    assert_eq!(status, 200);
+    let whole = |at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!((whole(0), whole(4)), (8, 12));
+    assert_eq!(bytes.len(), 8 + 8 * 12 + 12 * 12);
+    // The box of 0.2 m × 0.3 m × 1 m about its centre of gravity.
+    let place = |at: usize| f32::from_le_bytes(bytes[8 + 4 * at..12 + 4 * at].try_into().unwrap());
+    for (axis, half_m) in [(0, 0.1), (1, 0.15), (2, 0.5)] {
+        assert!((0..8).all(|vertex| (place(3 * vertex + axis).abs() - half_m).abs() < 1e-6));
+    }
+    let options = json!({"scan-unit": "mm", "unit": "g", "dt": "10 ms"});
+    let mut rock = with_options("rock", &options);
+    rock["files"] = json!({"scan": scan, "motion": motion});
+    rock["history"] = json!(true);
+    let (status, found) = page.run(&rock);
+    assert_eq!(status, 200, "{found}");
+    is_history(&found["history"]);
+    let tilts = numbers(&found["history"]["theta_rad"]);
+    let peak = tilts.into_iter().fold(0.0, f64::max);
+    let told = found["peak_tilt_rad"].as_f64().unwrap();
+    // The largest tilt may lie between two points.
+    assert!((peak - told).abs() < 3.5e-4, "{peak} {told}");
+    // An object in a plane has no surface.
+    let flat = json!({"height": "1 m", "thickness": "0.3 m", "pga": "0.3 g"});
+    let (status, told) = page.post(
+        "/api/v1/surface",
+        "application/json",
+        with_options("object", &flat).to_string().as_bytes(),
+    );
+    assert_eq!(status, 400, "{told}");
+    assert!(message(&told["error"]).contains("in a plane"), "{told}");
 }

@@ -10,7 +10,7 @@ use freestand_input::words::{Choices, number};
 use freestand_scan::body::{Leaking, Solid, Underside, scanned_body};
 use freestand_scan::mesh::Mesh;
 
-use super::{BodyInPose, BodyKind};
+use super::{BodyInPose, BodyKind, Surface};
 
 /// How far the surface of a scan may be from the true one \[m\].
 const SCAN_ERROR_M: f64 = 0.002;
@@ -263,8 +263,8 @@ impl Scan {
         let Solid {
             body,
             volume_m3,
+            cg_m,
             is_hull,
-            ..
         } = solid;
         let density = of_mass / volume_m3;
         if self.mass_kg.is_some() && !DENSITIES_KG_M3.contains(&density) {
@@ -293,6 +293,8 @@ impl Scan {
         let posed = posed.map_err(|problem| problem.of(&[key]))?;
         Ok(BodyInPose {
             is_cg_stated: self.cg_height_m.is_some(),
+            // Also where its hull takes its place: it is what the scanner saw.
+            surface: Surface::of_mesh(mesh, self.unit_m, cg_m),
             ..posed
         })
     }

@@ -7,15 +7,16 @@ use std::sync::Arc;
 use freestand::hull::barrier::Barrier;
 use freestand::hull::poses::StablePose;
 use freestand::hull::shake::{
-    Contact, HullOutcome, HullPoint, HullRocking, Standing, shake_observed,
+    Contact, HullOutcome, HullPoint, HullRocking, Sampling, Standing, shake_observed,
 };
-use freestand::hull::{HullBody, HullError, Vector};
+use freestand::hull::{Hull, HullBody, HullError, Vector};
 use freestand::motion::Motion;
 use freestand::respond::SpatialPoint;
 use freestand::spatial::SpatialMotion;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use freestand_output::answer;
+use freestand_scan::mesh::Mesh;
 use serde::{Deserialize, Serialize};
 
 use crate::spatial::ONE_REALISATION;
@@ -71,6 +72,36 @@ impl BodyKind {
     }
 }
 
+/// Triangles to be drawn, about the centre of gravity of a body, in the axes in which it was given.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Surface {
+    /// Their vertices \[m\].
+    pub vertices_m: Vec<[f32; 3]>,
+    /// Of each triangle, the numbers of its vertices.
+    pub faces: Vec<[u32; 3]>,
+}
+
+impl Surface {
+    /// The triangles of a mesh of which one unit has so many metres.
+    pub(crate) fn of_mesh(mesh: &Mesh, unit_m: f64, cg_m: Vector) -> Self {
+        let about_cg = |vertex: &[f64; 3]| [0, 1, 2].map(|i| (unit_m * vertex[i] - cg_m[i]) as f32);
+        Self {
+            vertices_m: mesh.vertices.iter().map(about_cg).collect(),
+            faces: mesh.faces.clone(),
+        }
+    }
+
+    /// The triangles of a hull.
+    pub fn of_hull(hull: &Hull) -> Self {
+        let vertices = hull.vertices_m().iter();
+        let faces = hull.faces().iter();
+        Self {
+            vertices_m: vertices.map(|vertex| vertex.map(|x| x as f32)).collect(),
+            faces: faces.map(|face| face.map(|one| one as u32)).collect(),
+        }
+    }
+}
+
 /// A body in the pose in which it stands.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BodyInPose {
@@ -94,6 +125,8 @@ pub struct BodyInPose {
     pub scan_error_m: f64,
     /// Whether the height of the centre of gravity of a scan was stated; else it is that of a uniform body.
     pub is_cg_stated: bool,
+    /// What it looks like.
+    pub surface: Surface,
 }
 
 /// The height of the centre of gravity from which on contacts sink as far as those of the rocks of the tests; those of
@@ -157,6 +190,7 @@ impl BodyInPose {
             height_m: height_m(body, standing_down),
             scan_error_m,
             is_cg_stated: false,
+            surface: Surface::of_hull(&body.hull),
         })
     }
 }
@@ -191,6 +225,18 @@ pub struct HullRequest {
     pub gravity_m_s2: f64,
     /// Whether the history is sampled.
     pub is_sampled: bool,
+}
+
+impl HullRequest {
+    /// How the floor moves.
+    pub(crate) fn motion(&self) -> SpatialMotion<'_> {
+        let [x, y] = self.motions.each_ref().map(Option::as_ref);
+        SpatialMotion {
+            x,
+            y,
+            vertical: self.vertical.as_ref(),
+        }
+    }
 }
 
 answer! {
@@ -342,17 +388,18 @@ pub struct HullReport {
     pub history: Vec<HullPoint>,
 }
 
+pub(crate) fn not_followed(error: HullError) -> Problem {
+    let hint =
+        "resample one of them to the step and length of the other first, with motion convert";
+    Problem::value(error.to_string(), hint)
+}
+
 /// Calculates the motion of a body on its hull.
 ///
 /// # Errors
 /// Motions that differ in step or length; a body that does not come to rest before it is shaken.
 pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
-    let [x, y] = request.motions.each_ref();
-    let motion = SpatialMotion {
-        x: x.as_ref(),
-        y: y.as_ref(),
-        vertical: request.vertical.as_ref(),
-    };
+    let motion = request.motion();
     let mut history = Vec::new();
     let rocking = shake_observed(
         &request.body.standing,
@@ -360,17 +407,14 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
         request.orientation_rad,
         &motion,
         request.gravity_m_s2,
+        Sampling::WHOLE,
         &mut |point| {
             if request.is_sampled {
                 history.push(point);
             }
         },
     );
-    let rocking = rocking.map_err(|error| {
-        let hint =
-            "resample one of them to the step and length of the other first, with motion convert";
-        Problem::value(error.to_string(), hint)
-    })?;
+    let rocking = rocking.map_err(not_followed)?;
     if rocking.outcome == HullOutcome::Unsettled {
         let message = format!(
             "the body does not come to rest in its pose before the floor moves: it falls if its centre of gravity rises \

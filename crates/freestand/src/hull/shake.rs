@@ -130,6 +130,25 @@ impl HullPoint {
     }
 }
 
+/// When a history is passed to who observes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sampling {
+    /// Whether the history is whole. [`shake`] leaves out what comes before the first acceleration that could lift a
+    /// body with a flat base, and what comes after the last one once it rests; what is not whole takes the same
+    /// steps as [`shake`], and so ends as it does.
+    pub is_whole: bool,
+    /// The longest time between two points, besides those at the samples of the motion \[s\].
+    pub apart_s: f64,
+}
+
+impl Sampling {
+    /// The whole history, at the samples of the motion.
+    pub const WHOLE: Self = Self {
+        is_whole: true,
+        apart_s: f64::INFINITY,
+    };
+}
+
 /// A body in the pose in which it stands, with the points on which it is followed.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -277,6 +296,11 @@ impl Standing {
             poses,
             ..self.clone()
         }
+    }
+
+    /// The largest distance between two points of its base \[m\].
+    pub fn base_width_m(&self) -> f64 {
+        self.base_width_m
     }
 
     /// The points on which it is followed \[m\].
@@ -584,9 +608,7 @@ pub fn shake(
     followed(body, contact, yaw_rad, motion, gravity_m_s2, None)
 }
 
-/// As [`shake`], and passes where the body is at every sample of the motion. The history is whole: [`shake`] leaves out
-/// what comes before the first acceleration that could lift a body with a flat base, and what comes after the
-/// last one once it rests.
+/// As [`shake`], and passes where the body is.
 ///
 /// # Errors
 /// As [`shake`].
@@ -596,9 +618,11 @@ pub fn shake_observed(
     yaw_rad: f64,
     motion: &SpatialMotion,
     gravity_m_s2: f64,
+    sampling: Sampling,
     observe: &mut dyn FnMut(HullPoint),
 ) -> Result<HullRocking, HullError> {
-    followed(body, contact, yaw_rad, motion, gravity_m_s2, Some(observe))
+    let observe = Some((sampling, observe));
+    followed(body, contact, yaw_rad, motion, gravity_m_s2, observe)
 }
 
 fn followed(
@@ -607,7 +631,7 @@ fn followed(
     yaw_rad: f64,
     motion: &SpatialMotion,
     gravity_m_s2: f64,
-    observe: Option<&mut dyn FnMut(HullPoint)>,
+    observe: Option<(Sampling, &mut dyn FnMut(HullPoint))>,
 ) -> Result<HullRocking, HullError> {
     let Contact {
         friction_ratio,
@@ -721,11 +745,14 @@ fn follow(
     yaw_rad: f64,
     given: [Option<&Motion>; 3],
     gravity_m_s2: f64,
-    observe: Option<&mut dyn FnMut(HullPoint)>,
+    observe: Option<(Sampling, &mut dyn FnMut(HullPoint))>,
 ) -> HullRocking {
-    let is_whole = observe.is_some();
     let nobody: &mut dyn FnMut(HullPoint) = &mut |_| {};
-    let observe = observe.unwrap_or(nobody);
+    let unseen = Sampling {
+        is_whole: false,
+        ..Sampling::WHOLE
+    };
+    let (Sampling { is_whole, apart_s }, observe) = observe.unwrap_or((unseen, nobody));
     let mut stepper = Stepper::new(body, contact, yaw_rad, gravity_m_s2);
     let is_settled = stepper.settle();
     let mut watch = Watch::new(&stepper);
@@ -736,6 +763,8 @@ fn follow(
     let (samples, dt_s) = first.map_or((0, STEP_S), |one| (one.accel_m_s2().len(), one.dt_s()));
     let per_sample = (dt_s / stepper.longest_s).ceil().max(1.0) as usize;
     let step_s = dt_s / per_sample as f64;
+    let seen_each = ((apart_s / step_s) as usize).max(1);
+    let is_seen = |sub: usize| seen_each < per_sample && sub > 0 && sub.is_multiple_of(seen_each);
     let at = |axis: usize, sample: usize| {
         given[axis].map_or(0.0, |one| {
             one.accel_m_s2().get(sample).copied().unwrap_or(0.0)
@@ -766,6 +795,9 @@ fn follow(
         observe(watch.point(&stepper, watch.now_s));
         let [from, to] = [sample, sample + 1].map(|sample| [0, 1, 2].map(|axis| at(axis, sample)));
         for sub in 0..per_sample {
+            if is_seen(sub) {
+                observe(watch.point(&stepper, watch.now_s + sub as f64 * step_s));
+            }
             let share = (sub as f64 + 0.5) / per_sample as f64;
             let floor = [0, 1, 2].map(|i| from[i] + share * (to[i] - from[i]));
             stepper.step(&floor, step_s);
@@ -786,7 +818,7 @@ fn follow(
     for _ in 0..stepper.steps(LONGEST_TAIL_S) {
         if watch.now_s >= next_s {
             observe(watch.point(&stepper, watch.now_s));
-            next_s += dt_s;
+            next_s += dt_s.min(apart_s);
         }
         stepper.step(&[0.0; 3], tail_s);
         watch.now_s += tail_s;

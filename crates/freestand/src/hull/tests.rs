@@ -1,7 +1,7 @@
 use super::*;
 use crate::motion::Motion;
 use crate::spatial::SpatialMotion;
-use shake::{Contact, HullOutcome};
+use shake::{Contact, HullOutcome, HullPoint, Sampling, shake_observed};
 
 fn shake(
     body: &shake::Standing,
@@ -334,10 +334,27 @@ fn what_is_left_out_decides_nothing() {
         };
         let short = shake(&standing, &contact, 0.3, &motion, 9.81);
         let scaled = shake(&same, &contact, 0.3, &motion, 9.81);
-        let whole =
-            shake::shake_observed(&standing, &contact, 0.3, &motion, 9.81, &mut |_| {}).unwrap();
+        let observed = |sampling| {
+            let mut times = Vec::new();
+            let mut see = |point: HullPoint| times.push(point.time_s);
+            let found = shake_observed(&standing, &contact, 0.3, &motion, 9.81, sampling, &mut see);
+            (found.unwrap(), times)
+        };
+        let (whole, _) = observed(Sampling::WHOLE);
         assert_eq!(short.outcome, scaled.outcome);
         assert_eq!(short.outcome, whole.outcome);
+        // To be seen changes nothing of what is not whole, and no two points are farther apart than was asked.
+        let apart_s = 5e-4;
+        let (seen, times) = observed(Sampling {
+            is_whole: false,
+            apart_s,
+        });
+        assert_eq!(seen, short);
+        assert!(times.len() > 100);
+        // Half a step of rounding: a step of the tail is at most 0.1 ms.
+        let widest_s = times.windows(2).map(|two| two[1] - two[0]);
+        let widest_s = widest_s.fold(0.0, f64::max);
+        assert!(widest_s < apart_s + 1e-4, "{widest_s}");
         match short.outcome {
             HullOutcome::Stood => stood += 1,
             _ => fell += 1,

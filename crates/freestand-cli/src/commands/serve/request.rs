@@ -9,7 +9,7 @@ use freestand_app::check_list::CheckList;
 use freestand_app::code_spectrum::CodeSpectrum;
 use freestand_app::drop_test::DropTests;
 use freestand_app::entered::Entered;
-use freestand_app::files::{Content, Files, Sent};
+use freestand_app::files::{Content, Files, Sent, is_mesh};
 use freestand_app::floor::Floor;
 use freestand_app::library::{Search, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
@@ -34,6 +34,7 @@ use freestand_page::{
     Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES,
     Program, Refusal, Reply, Request, Shape, Status, columns,
 };
+use freestand_study::hull::Surface;
 use freestand_study::places::places;
 use freestand_study::recorded::{MotionFiles, Upward, read_all};
 use serde_json::{Map, Value, json};
@@ -53,6 +54,7 @@ pub(super) const PROGRAM: Program = Program {
     check,
     typed,
     read,
+    surface,
     answer,
 };
 
@@ -161,6 +163,10 @@ fn kind(path: &Path) -> Kind {
     if end == "toml" {
         return Kind::Study;
     }
+    let content = std::fs::read(path).unwrap_or_default();
+    if is_mesh(&content) {
+        return Kind::Scan;
+    }
     let is_list = Libraries::with_files(None, None)
         .and_then(|libraries| {
             libraries.looked_up(|lookup| inspect_inventory(path, &ReadOptions::new(lookup)))
@@ -169,9 +175,8 @@ fn kind(path: &Path) -> Kind {
     if is_list {
         return Kind::Inventory;
     }
-    let head: String = std::fs::read(path)
-        .map(|bytes| String::from_utf8_lossy(bytes.get(..2048).unwrap_or(&bytes)).to_lowercase())
-        .unwrap_or_default();
+    let head = content.get(..2048).unwrap_or(&content);
+    let head = String::from_utf8_lossy(head).to_lowercase();
     if ["csv", "txt", "tsv"].contains(&end.as_str()) && head.contains("force") {
         return Kind::DropTest;
     }
@@ -216,6 +221,36 @@ fn typed(request: &Request) -> Result<Value, Refusal> {
     typed
         .map(|typed| json!(typed))
         .map_err(|failure| seen.refusal(&failure))
+}
+
+/// The triangles of an object as bytes: the numbers of vertices and of triangles, the coordinates of each vertex \[m\],
+/// the numbers of the vertices of each triangle; whole numbers and coordinates have 4 bytes, the lowest first.
+fn surface(request: &Request) -> Result<Vec<u8>, Refusal> {
+    let seen = Seen::new(request);
+    let found = || -> Result<Surface, Failure> {
+        if request.command != "object" {
+            let hint = "ask for the surface of an object";
+            return Err(Failure::usage("only `object` has a surface", hint));
+        }
+        let (entries, files) = written(request)?;
+        let surface = from_entries::<Object>(&entries)?.surface(&files)?;
+        Ok(surface.ok_or_else(|| {
+            let hint = "name a scan or a shape in three dimensions";
+            Problem::value("the object is drawn in a plane", hint)
+        })?)
+    };
+    let Surface { vertices_m, faces } = found().map_err(|failure| seen.refusal(&failure))?;
+    let counts = [vertices_m.len() as u32, faces.len() as u32];
+    let whole = counts.iter().chain(faces.as_flattened());
+    let mut whole = whole.map(|one| one.to_le_bytes());
+    let counts: Vec<[u8; 4]> = whole.by_ref().take(2).collect();
+    let places = vertices_m.as_flattened().iter().map(|x| x.to_le_bytes());
+    Ok(counts
+        .into_iter()
+        .chain(places)
+        .chain(whole)
+        .flatten()
+        .collect())
 }
 
 /// The texts of a form, `{"texts": [{"text", "quantity", "units"}]}`, as the program reads them.

@@ -107,6 +107,11 @@ export async function readings(texts: Entered[]): Promise<Reading[]> {
   return ((await (await answered('quantities', json({ texts }))).json()) as { read: Reading[] }).read;
 }
 
+/** The triangles of the object of a question, as bytes. */
+export async function surfaceBytes(ask: Ask): Promise<ArrayBuffer> {
+  return (await answered('surface', json(ask))).arrayBuffer();
+}
+
 export async function upload(files: Iterable<File>): Promise<Uploaded[]> {
   const form = new FormData();
   for (const file of files) form.append('file', file, file.name);

@@ -40,6 +40,7 @@ export function titleOf(earthquakes: Earthquake[], name: string, history: Histor
   if (history.outcome === 'no-uplift' && history.impacts.length > 0) return t('stage.stays', { ...values, lift: lengthShown(Math.max(liftShown(history), LEAST_M), units) });
   if (history.outcome === 'no-uplift') return t('stage.rest', values);
   if (history.outcome === 'unresolved') return t('stage.unresolved', values);
+  if (history.outcome === 'shifted') return t('stage.shifted', values);
   if (history.outcome === 'leaned') return t('stage.leans', values);
   return t(history.outcome === 'rocked' ? 'stage.stays' : 'stage.falls', values);
 }

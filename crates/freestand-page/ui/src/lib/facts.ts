@@ -15,4 +15,5 @@ export interface Facts {
   sites: Record<string, string[]>;
   pictures: Picture[];
   examples: Ask[];
+  limits: { file_bytes: number };
 }

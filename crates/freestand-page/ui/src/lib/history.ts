@@ -10,7 +10,7 @@ export interface History {
   impacts: Impact[];
   tolerance_rad: number;
   outcome: string;
-  base: 'rigid' | 'compliant';
+  base: 'rigid' | 'compliant' | 'stiff';
   height_m: number;
   thickness_m: number;
   base_width_m: number;
@@ -18,17 +18,31 @@ export interface History {
   balance_rad: number;
   wall_left: Wall | null;
   wall_right: Wall | null;
+  /** Where a body in three dimensions is; its θ is its tilt in any direction. */
+  space?: Space;
+}
+
+/** A point p of the surface of a body is at place + Q (shift + scale p), in the axes of the floor, z upward [m]. */
+export interface Space {
+  place_m: [number[], number[], number[]];
+  /** Q: w, x, y, z of a quaternion. */
+  turn: [number[], number[], number[], number[]];
+  scale_ratio: [number, number, number];
+  shift_m: [number, number, number];
+  base_accel_y_m_s2: number[];
+  /** Where its weakest side is at rest; null: it is round. */
+  weakest_rad: number | null;
+  tolerance_m: number;
 }
 
 /** A wall beside the object; without a height it is taller than the object. */
 export interface Wall { gap_m: number; height_m: number | null }
 
-/** The value at a time of what is linear between its points; the last one after the end. */
-export function at(times: number[], values: number[], time: number): number {
+/** Between which points a time is: the number of the first one and the share of the way to the next, together; within their ends. */
+export function along(times: number[], time: number): number {
   const last = times.length - 1;
-  if (last < 0) return 0;
-  if (time <= times[0]!) return values[0]!;
-  if (time >= times[last]!) return values[last]!;
+  if (last < 0 || time <= times[0]!) return 0;
+  if (time >= times[last]!) return last;
   let low = 0;
   let high = last;
   while (high - low > 1) {
@@ -36,9 +50,18 @@ export function at(times: number[], values: number[], time: number): number {
     if (times[middle]! <= time) low = middle;
     else high = middle;
   }
-  const [t0, t1, y0, y1] = [times[low]!, times[high]!, values[low]!, values[high]!];
-  return y0 + ((y1 - y0) * (time - t0)) / (t1 - t0);
+  return low + (time - times[low]!) / (times[high]! - times[low]!);
 }
+
+/** A value at such a place. */
+export function valueAt(values: number[], place: number): number {
+  const first = Math.floor(place);
+  const from = values[first] ?? 0;
+  return from + ((values[first + 1] ?? from) - from) * (place - first);
+}
+
+/** The value at a time of what is linear between its points; the last one after the end. */
+export const at = (times: number[], values: number[], time: number) => valueAt(values, along(times, time));
 
 export const tilt = (history: History, time: number) => at(history.time_s, history.theta_rad, time);
 export const floor = (history: History, time: number) => at(history.base_time_s, history.base_accel_m_s2, time);
@@ -67,10 +90,18 @@ export function flashes(impacts: Impact[], speed: number): Impact[] {
   });
 }
 
+/** Below this nothing is seen to turn [rad]; a body on elastic contacts is never quite still. */
+const STILL_RAD = 1e-6;
+const STILL_BODY_RAD = 5e-4;
+const stillness = ({ space }: History) => (space ? STILL_BODY_RAD : STILL_RAD);
+
+/** Whether an object can only fall at this point; the tilt of a body says so only where the program does. */
+const isPast = ({ space, outcome, balance_rad }: History, theta: number) => Math.abs(theta) >= balance_rad && (!space || outcome === 'overturned' || outcome === 'shifted');
+
 /** Where an object is to be seen first: at its largest tilt, or on its way down. */
 export function telling(history: History): number {
-  const { time_s, theta_rad, balance_rad } = history;
-  const falls = theta_rad.findIndex((theta) => Math.abs(theta) > 0.8 * balance_rad);
+  const { time_s, theta_rad } = history;
+  const falls = theta_rad.findIndex((theta) => isPast(history, theta / 0.8));
   if (falls >= 0) return time_s[falls]!;
   let most = 0;
   theta_rad.forEach((theta, i) => {
@@ -79,17 +110,17 @@ export function telling(history: History): number {
   return time_s[most] ?? 0;
 }
 
-export type Moment = 'lift' | 'swing' | 'past' | 'largest' | 'end' | 'lies' | 'rest' | 'between';
-
-/** Below this nothing is seen to turn [rad]. */
-const STILL_RAD = 1e-6;
+export type Moment = 'lift' | 'swing' | 'past' | 'largest' | 'end' | 'lies' | 'falls' | 'rest' | 'between';
 
 /** Five moments that tell the story: lift, two swings, the moment past balance or the largest tilt, the end. Each has the name of what is seen. */
 export function stills(history: History): { time: number; moment: Moment }[] {
-  const { time_s, theta_rad, balance_rad } = history;
+  const { time_s, theta_rad } = history;
   const last = end(history);
-  const lift = time_s.find((_, i) => Math.abs(theta_rad[i + 1] ?? 0) > 1e-6) ?? 0;
-  const past = theta_rad.findIndex((theta) => Math.abs(theta) >= balance_rad);
+  const still = stillness(history);
+  const lift = time_s.find((_, i) => Math.abs(theta_rad[i + 1] ?? 0) > still) ?? 0;
+  const past = theta_rad.findIndex((theta) => isPast(history, theta));
+  // The history of a body ends while it falls.
+  const after: Moment = past < 0 || history.outcome === 'shifted' ? 'end' : history.space ? 'falls' : 'lies';
   const until = past >= 0 ? time_s[past]! : last;
   const peaks = time_s
     .map((time, i) => ({ time, size: Math.abs(theta_rad[i]!), i }))
@@ -98,8 +129,8 @@ export function stills(history: History): { time: number; moment: Moment }[] {
       size >= Math.abs(theta_rad[i - 1] ?? 0) && size >= Math.abs(theta_rad[i + 1] ?? 0))
     .sort((a, b) => b.size - a.size);
   const [largest, ...others] = peaks;
-  const hasLifted = theta_rad.some((theta) => Math.abs(theta) > STILL_RAD);
-  const found: { time: number; moment: Moment }[] = [{ time: lift, moment: hasLifted ? 'lift' : 'rest' }, { time: last, moment: past >= 0 ? 'lies' : 'end' }];
+  const hasLifted = theta_rad.some((theta) => Math.abs(theta) > still);
+  const found: { time: number; moment: Moment }[] = [{ time: lift, moment: hasLifted ? 'lift' : 'rest' }, { time: last, moment: after }];
   if (past >= 0) found.push({ time: until, moment: 'past' });
   else if (largest) found.push({ time: largest.time, moment: 'largest' });
   const swings = past >= 0 ? peaks : others;
@@ -112,7 +143,7 @@ export function stills(history: History): { time: number; moment: Moment }[] {
   // Where there are fewer swings, moments between are shown as what they are.
   for (let i = 1; found.length < 5 && i < 5; i += 1) {
     const time = lift + ((last - lift) * i) / 5;
-    found.push({ time, moment: Math.abs(tilt(history, time)) > STILL_RAD ? 'between' : 'rest' });
+    found.push({ time, moment: Math.abs(tilt(history, time)) > still ? 'between' : 'rest' });
   }
   return found.sort((a, b) => a.time - b.time);
 }
@@ -121,9 +152,10 @@ export function stills(history: History): { time: number; moment: Moment }[] {
 export function busy(history: History): { from: number; to: number } {
   const { time_s, theta_rad } = history;
   const last = end(history);
-  const first = theta_rad.findIndex((theta) => Math.abs(theta) > STILL_RAD);
+  const still = stillness(history);
+  const first = theta_rad.findIndex((theta) => Math.abs(theta) > still);
   if (first < 0) return { from: 0, to: last };
-  const after = theta_rad.findLastIndex((theta) => Math.abs(theta) > STILL_RAD);
+  const after = theta_rad.findLastIndex((theta) => Math.abs(theta) > still);
   return { from: Math.max(0, (time_s[Math.max(0, first - 1)] ?? 0) - BEFORE_S), to: Math.min(last, (time_s[Math.min(after + 1, time_s.length - 1)] ?? last) + AFTER_S) };
 }
 
@@ -134,7 +166,7 @@ const [BEFORE_S, AFTER_S] = [1, 0.5] as const;
  * Where the floor is at each of its samples [m], for the drawing: its acceleration integrated twice, without what is slower
  * than a few seconds, so that it moves about its place.
  */
-export function floorMoves({ base_time_s: time, base_accel_m_s2: accel }: History): number[] {
+export function floorMoves({ base_time_s: time, base_accel_m_s2: accel }: Pick<History, 'base_time_s' | 'base_accel_m_s2'>): number[] {
   const velocity = leaked(time, accel);
   return leaked(time, velocity);
 }

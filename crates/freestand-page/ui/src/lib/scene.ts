@@ -1,5 +1,6 @@
 /** Draws the object on its floor, and its rotation against time. */
 
+import { noPose, poseAt, reach, silhouette, type Surface } from './body';
 import { at, degrees, end, floor, tilt, type History, type Impact } from './history';
 import type { Units } from './units';
 import { t } from './words';
@@ -41,6 +42,7 @@ export function prepared(canvas: HTMLCanvasElement, height: number): [CanvasRend
 
 /** How many times as large small rotations are drawn. */
 export function enlarged(history: History): number {
+  if (history.space) return 1;
   const most = history.theta_rad.reduce((all, theta) => Math.max(all, Math.abs(theta)), 0);
   return most > 0 && most < SMALL_RAD ? 5 : 1;
 }
@@ -247,16 +249,45 @@ export function stage(canvas: HTMLCanvasElement, history: History, time: number,
   }
 }
 
+/** A body at a time from the side, its weakest side to the right: where nothing is drawn in three dimensions. */
+export function fromTheSide(canvas: HTMLCanvasElement, history: History, surface: Surface, time: number, colours: Look, isSmall = false) {
+  const { space } = history;
+  const ready = space && prepared(canvas, isSmall ? 150 : Math.min(330, canvas.clientWidth * 0.56 + 50));
+  if (!ready) return;
+  const [context, w, h] = ready;
+  const size = reach(surface);
+  const scale = Math.min((w - 16) / (3.2 * size), (h - 30) / (2.1 * size));
+  const [x, y] = [w / 2, h - 20];
+  context.fillStyle = colours.fl;
+  context.fillRect(0, y, w, isSmall ? 4 : 10);
+  const pose = noPose();
+  // As it rests, and as it is.
+  for (const [at, isGhost] of [[0, true], [time, false]] as const) {
+    if (isGhost && tilt(history, time) < 0.004) continue;
+    poseAt(history, space, at, pose);
+    context.beginPath();
+    for (const [along, up] of silhouette(surface, space, pose, space.weakest_rad ?? 0)) context.lineTo(x + along * scale, y - up * scale);
+    context.closePath();
+    context.setLineDash(isGhost ? [4, 4] : []);
+    context.strokeStyle = isGhost ? colours.mu : colours.ink;
+    context.fillStyle = colours.obj;
+    context.lineWidth = isGhost ? 1 : 2;
+    if (!isGhost) context.fill();
+    context.stroke();
+  }
+}
+
 /** The colours of a picture on paper, whatever those of the screen are. */
 const PAPER: Look = { ink: '#000', mu: '#444', ln: '#ccc', ac: '#00558c', re: '#a84300', obj: '#eee', fl: '#bbb', pa: '#fff', reb: '#fff', ed: '#666' };
 const PAPER_PX = 800;
 
 /** The object at a time as a picture for a sheet of paper; null where the browser draws nothing. */
-export function onPaper(history: History, time: number, units: Units, shape?: string): string | null {
+export function onPaper(history: History, time: number, units: Units, shape?: string, surface?: Surface | null): string | null {
   const canvas = document.createElement('canvas');
   Object.assign(canvas.style, { position: 'absolute', left: `${-2 * PAPER_PX}px`, width: `${PAPER_PX}px` });
   document.body.append(canvas);
-  stage(canvas, history, time, [], 1, units, PAPER, false, shape);
+  if (history.space && surface) fromTheSide(canvas, history, surface, time, PAPER);
+  else if (!history.space) stage(canvas, history, time, [], 1, units, PAPER, false, shape);
   const url = canvas.width > 0 ? canvas.toDataURL('image/png') : null;
   canvas.remove();
   return url;
