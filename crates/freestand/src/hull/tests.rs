@@ -345,3 +345,46 @@ fn what_is_left_out_decides_nothing() {
     }
     assert_eq!((stood, fell), (2, 2));
 }
+
+/// A cylinder that wobbles on its rim loses energy to rolling friction, so it comes to rest earlier; one that only rocks
+/// does not roll.
+#[test]
+fn rolling_friction_ends_wobbling_and_not_rocking() {
+    let (body, _) =
+        super::shapes::upright(&super::shapes::Outline::Circle(0.4), 1.0, 80.0, None, None)
+            .unwrap();
+    let standing = body.standing(0).unwrap();
+    let pulse = |peak_m_s2: f64, late: usize| {
+        let sample = |i: usize| match i.checked_sub(late) {
+            Some(i) if i < 50 => peak_m_s2 * (std::f64::consts::TAU * i as f64 / 50.0).sin(),
+            _ => 0.0,
+        };
+        Motion::new(0.01, (0..200).map(sample).collect()).unwrap()
+    };
+    let under = |motion: &SpatialMotion, rolling_ratio: f64| {
+        let contact = Contact {
+            sinking_m: 1e-5,
+            rolling_ratio,
+            ..Contact::default()
+        };
+        let found = shake(&standing, &contact, 0.0, motion, 9.81);
+        assert_eq!(found.outcome, HullOutcome::Stood, "{found:?}");
+        found
+    };
+    let (x, y) = (pulse(5.5, 0), pulse(5.5, 20));
+    let both = SpatialMotion {
+        x: Some(&x),
+        y: Some(&y),
+        vertical: None,
+    };
+    let [none, some, more] = [0.0, 0.02, 0.1].map(|ratio| under(&both, ratio).end_s);
+    println!("{none} {some} {more}");
+    assert!(more < some && some < none, "{none} {some} {more}");
+    // Towards a corner of its rim: it rocks in the plane of the motion, but for rounding that grows.
+    let [none, more] = [0.0, 0.1].map(|ratio| under(&along_x(&x), ratio));
+    println!("{none:?} {more:?}");
+    assert!(
+        (none.peak_tilt_rad / more.peak_tilt_rad - 1.0).abs() < 1e-3,
+        "{none:?} {more:?}"
+    );
+}

@@ -186,6 +186,7 @@ fn every_reason_in_words() {
         Note::OneComponent,
         Note::FeetPassWall,
         Note::StackInPlane,
+        Note::LowestTail,
     ];
     told.extend(
         notes
