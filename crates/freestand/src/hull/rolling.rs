@@ -1,14 +1,15 @@
 //! Rolling friction of a round body.
 //!
-//! A moment μ_r R N against the rotation about the horizontal line from a point of the rim towards the axis of the
-//! body, at the distance R from that axis: Coulomb's rolling friction with the lever arm μ_r R, model A of Ai, Chen,
-//! Rotter and Ooi (2011), Powder Technol. 206, 269. A body that rolls on its rim turns about this line; one that
-//! only rocks turns at right angles to it, and keeps its energy.
+//! The moment −μ_r R N ω/|ω| of a point of the rim, at the distance R from the axis of the body: Coulomb's rolling friction with
+//! the lever arm μ_r R, model A of Ai, Chen, Rotter and Ooi (2011), Powder Technol. 206, 269. ω is the
+//! horizontal part of the rotation, and of the moment only the part along the horizontal line from the point towards the
+//! axis counts: a body that rolls on its rim turns about this line; one that only rocks turns at right angles to
+//! it, and keeps its energy.
 
 use super::Vector;
 use crate::space::{Shift, cross, dot, turned};
 
-/// It has its full size from this rate of rolling, and grows with it below \[rad/s\].
+/// It has its full size from this rate of rotation, and grows with it below \[rad/s\].
 const FULL_RAD_S: f64 = 0.01;
 
 /// The moment over μ_r N at a point of the body, whose axis in its pose is `down`, along x and y of the floor \[m\].
@@ -30,6 +31,7 @@ pub(super) fn moment_m(
     }
     let line = [-y / size_m, x / size_m];
     let rate_rad_s = line[0] * omega_rad_s[0] + line[1] * omega_rad_s[1];
-    let share = (rate_rad_s / FULL_RAD_S).clamp(-1.0, 1.0);
+    let turning_rad_s = (omega_rad_s[0].powi(2) + omega_rad_s[1].powi(2)).sqrt();
+    let share = rate_rad_s / turning_rad_s.max(FULL_RAD_S);
     line.map(|x| -radius_m * share * x)
 }

@@ -371,20 +371,20 @@ fn rolling_friction_ends_wobbling_and_not_rocking() {
         assert_eq!(found.outcome, HullOutcome::Stood, "{found:?}");
         found
     };
-    let (x, y) = (pulse(5.5, 0), pulse(5.5, 20));
+    let (x, y) = (pulse(4.4, 0), pulse(4.4, 20));
     let both = SpatialMotion {
         x: Some(&x),
         y: Some(&y),
         vertical: None,
     };
     let [none, some, more] = [0.0, 0.02, 0.1].map(|ratio| under(&both, ratio).end_s);
-    println!("{none} {some} {more}");
     assert!(more < some && some < none, "{none} {some} {more}");
-    // Towards a corner of its rim: it rocks in the plane of the motion, but for rounding that grows.
-    let [none, more] = [0.0, 0.1].map(|ratio| under(&along_x(&x), ratio));
-    println!("{none:?} {more:?}");
+    // In the plane of the motion it rocks: only points of the rim beside that plane, which take part in landings, roll. So
+    // it wobbles ten times shorter, but its peak differs by less than half of μ_r.
+    let rocking = pulse(5.1, 0);
+    let [flat, rough] = [0.0, 0.1].map(|ratio| under(&along_x(&rocking), ratio).peak_tilt_rad);
     assert!(
-        (none.peak_tilt_rad / more.peak_tilt_rad - 1.0).abs() < 1e-3,
-        "{none:?} {more:?}"
+        10.0 * more < none && (rough / flat - 1.0).abs() < 0.05,
+        "{flat} {rough}"
     );
 }
