@@ -594,10 +594,8 @@ fn extreme_spectra_are_drawn_again() {
     // 200,000 worlds of another program: 0.0198. Four standard errors.
     assert!((share - 0.0198).abs() < 4.0 * (0.0198 / f64::from(WORLDS)).sqrt());
     for (k, i) in places.into_iter().enumerate() {
-        let values = |of: fn(&([f64; 4], [f64; 4], bool)) -> [f64; 4]| {
-            worlds.iter().map(|one| of(one)[k]).collect::<Vec<f64>>()
-        };
-        let (first, kept) = (values(|one| one.0), values(|one| one.1));
+        let first: Vec<f64> = worlds.iter().map(|one| one.0[k]).collect();
+        let kept: Vec<f64> = worlds.iter().map(|one| one.1[k]).collect();
         let shifts = [mean(&kept) - mean(&first), sd(&kept) - sd(&first)];
         println!(
             "ln Sa at {:.1} s: sd {:.3}, shift of the mean {:+.4}, of the sd {:+.4}; largest {:.2}, then {:.2}",
