@@ -10,7 +10,7 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_scan::body::Leaking;
-use freestand_study::hull::BodyInPose;
+use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::hull::body::{Form, SCAN_BASES, SCAN_UNITS, Scan, Upright, feet_of};
 use freestand_study::spatial;
 
@@ -69,11 +69,15 @@ request! {
         /// for a shape; less where the centre of gravity is lower than 250 mm]
         #[arg(long, value_name = "LENGTH", help_heading = "The shape, in three dimensions")]
         pub contact_sinking: Option<Written>,
+        /// Coefficient of rolling friction of a cylinder that rolls on its rim: the lever arm of the force of the floor over
+        /// the radius [default: 0]
+        #[arg(long, value_name = "RATIO", help_heading = "The shape, in three dimensions")]
+        pub rolling_friction: Option<Written>,
     }
 }
 
 /// Its keys.
-pub(crate) const KEYS: [&str; 11] = [
+pub(crate) const KEYS: [&str; 12] = [
     "shape",
     "diameter",
     "feet",
@@ -85,6 +89,7 @@ pub(crate) const KEYS: [&str; 11] = [
     "stand_on",
     "contact_damping",
     "contact_sinking",
+    "rolling_friction",
 ];
 
 /// Its keys of a scan alone.
@@ -182,14 +187,29 @@ pub(crate) fn contact(read: &mut WordReader<'_>, body: Option<&BodyInPose>) -> O
         |length_m| (1e-6..=0.01).contains(&length_m),
         ["from 0.001 mm to 10 mm", "such as \"0.1 mm\""],
     );
+    let rolling = read.accepted(
+        "rolling_friction",
+        Dimension::Ratio,
+        |ratio| (0.0..=1.0).contains(&ratio),
+        ["from 0 to 1", "such as \"0.01\""],
+    );
+    if rolling.is_some() && body.is_some_and(|body| body.kind != BodyKind::Cylinder) {
+        read.note(
+            &["rolling_friction"],
+            "only a cylinder rolls on its rim",
+            "leave `rolling_friction` out, or give `shape = \"cylinder\"`",
+        );
+    }
     let is_right = |key: &str, value: Option<f64>| value.is_some() || !read.has(key);
     let all_right = is_right("friction", friction)
         && is_right("contact_damping", damping)
-        && is_right("contact_sinking", sinking);
+        && is_right("contact_sinking", sinking)
+        && is_right("rolling_friction", rolling);
     all_right.then_some(Contact {
         friction_ratio: friction.unwrap_or(assumed.friction_ratio),
         damping_ratio: damping.unwrap_or(assumed.damping_ratio),
         sinking_m: sinking.unwrap_or(assumed.sinking_m),
+        rolling_ratio: rolling.unwrap_or(assumed.rolling_ratio),
     })
 }
 

@@ -245,6 +245,8 @@ pub enum Note {
     OnHull,
     /// A stack moves in the plane of the thickness.
     StackInPlane,
+    /// On the ground, synthetic worlds have fewer of the rarest falls than recorded motions.
+    LowestTail,
 }
 
 /// Why no pads answer where an object slides while it rocks.

@@ -257,9 +257,11 @@ pub struct Rolled {
     pub is_at_least: bool,
     /// The way to its stop; `None`: nothing stops it \[m\].
     pub clearance_m: Option<f64>,
-    /// The least room on every side that would suffice: the upper end of the probability that it goes
-    /// farther is below the accepted one; with too few worlds for that, its largest travel \[m\].
+    /// The least room on every side that would suffice: the upper end of the probability that it needs
+    /// more is below the accepted one; with too few worlds for that, the most that it needs \[m\].
     pub clearance_needed_m: f64,
+    /// Room on every side that 50, 84 and 98 % of the worlds do not exceed, turned as it is in each \[m\].
+    pub room_m: [f64; 3],
     /// Share of the worlds in which it reaches its stop.
     pub stop_share: f64,
     /// Speed at the stop that 84 % of the worlds do not exceed; `None`: it does not reach it \[m/s\].

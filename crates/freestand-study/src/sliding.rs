@@ -141,6 +141,7 @@ impl Surface {
             planes: Planes::single(Plane { along, block }),
             friction: self.friction,
             clearance: self.clearance,
+            yaw_rad: 0.0,
         }
     }
 }

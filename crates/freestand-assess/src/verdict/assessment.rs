@@ -22,7 +22,7 @@ use freestand_study::statistics::QUANTILES;
 use super::answers::{answers, stop_is_known};
 use super::decision::{Case, decide, deciding, settled};
 use super::draw::Drawn;
-use super::notes::{failures, space_notes, unknown_wall_shock, without_pads};
+use super::notes::{failures, lowest_tail, space_notes, unknown_wall_shock, without_pads};
 use super::object::{Body, Model, Way, hit};
 use super::on_pads::on_pads;
 use super::over_worlds::{quantile, quantiles, share};
@@ -188,6 +188,9 @@ pub(super) fn assessment(
         .notes
         .extend(trial.subject.flat.clone().map(Note::Flat));
     assessed.notes.extend(space_notes(context, trial)?);
+    assessed
+        .notes
+        .extend(lowest_tail(context, trial, assessed.decision));
     assessed.tier = match (lifts_at_all, answers.compliant.is_some()) {
         (false, _) => 0,
         (true, false) => 2,
@@ -270,6 +273,9 @@ fn at_wall(trial: &Trial) -> Option<AtWall> {
     })
 }
 
+/// The shares of worlds in which the room that it needs is told.
+const ROOM_QUANTILES: [f64; 3] = [0.5, 0.84, 0.98];
+
 /// How it rolls or slides; `None`: it rocks, or every history failed.
 fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
     let gliding = trial.subject.way.glides()?;
@@ -294,6 +300,7 @@ fn rolled(context: &Context, trial: &Trial) -> Option<Rolled> {
         is_at_least: ways().any(|way| way.is_at_least),
         clearance_m: gliding.clearance_m,
         clearance_needed_m: trial.room_needed_m(context),
+        room_m: ROOM_QUANTILES.map(|q| of(|way| way.room_m, q)),
         stop_share: share(ways().map(|way| way.stop_speed_m_s.is_some())),
         stop_speed_m_s_p84: Some(of(stop_speed, QUANTILES[2])).filter(|speed_m_s| *speed_m_s > 0.0),
         trip_speed_m_s: trip_speeds.fold(f64::INFINITY, f64::min),

@@ -27,6 +27,8 @@ const MEASURED_DAMPING_SPREAD: f64 = 0.2;
 pub(super) struct Draw {
     /// Whether its thickness lies along x; if not, it lies along y.
     pub(super) is_thickness_along_x: bool,
+    /// How far it is turned from x to y of the floor, where that is not one of two directions \[rad\].
+    pub(super) yaw_rad: f64,
     /// Of each axis.
     pub(super) restitution: [f64; 2],
     heights: f64,
@@ -52,8 +54,6 @@ pub(super) struct Draw {
 /// How a body on its hull stands, and how it touches the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct HullDraw {
-    /// How far it is turned from x to y of the floor \[rad\].
-    pub(super) yaw_rad: f64,
     /// Its friction is that of the draw.
     pub(super) contact: Contact,
     /// How much higher the centre of gravity of a scan is, over its height.
@@ -98,7 +98,6 @@ impl HullDraw {
             sinking_m = low_m * (high_m / low_m).powf(share);
         }
         Self {
-            yaw_rad: uniform_draw(&mut stream(Group::Orientation), 0.0, TAU),
             contact: Contact {
                 damping_ratio,
                 sinking_m,
@@ -259,6 +258,7 @@ pub(super) fn draw(
     let (model, compliant) = (next(1.0, model), next(settings.compliant_factor, compliant));
     Draw {
         is_thickness_along_x: is_first_side_along_x(settings.seed, world, object, 0),
+        yaw_rad: uniform_draw(&mut stream(Group::Orientation), 0.0, TAU),
         restitution,
         heights,
         sides,

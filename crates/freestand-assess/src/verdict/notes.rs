@@ -1,7 +1,7 @@
 //! What there is to know of an object besides its decision.
 
 use crate::reason::{Note, WithoutPads};
-use crate::result::{AtWall, TooMild};
+use crate::result::{AtWall, Decision, TooMild};
 use freestand_input::problem::Problems;
 
 use super::Context;
@@ -31,6 +31,18 @@ pub(super) fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<Note>,
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)
+}
+
+/// The largest accepted probability at which the rarest falls decide on *leave*.
+const RARE_RATIO: f64 = 0.05;
+
+/// Where *leave* rests on rare falls on the ground in synthetic worlds, which have too few of them (docs/validation.md).
+pub(super) fn lowest_tail(context: &Context, trial: &Trial, decision: Decision) -> Option<Note> {
+    let is_rare = decision == Decision::Leave && trial.member.accepted_ratio <= RARE_RATIO;
+    let is_synthetic = context.worlds.records().is_none();
+    let is_on_ground = trial.subject.level_ratio == 0.0;
+    (is_rare && is_synthetic && is_on_ground && trial.subject.way.rocks())
+        .then_some(Note::LowestTail)
 }
 
 /// Why no pads answer where it slides while it rocks.

@@ -158,7 +158,7 @@ impl Drawn<'_> {
                 sinking_m: drawn.contact.sinking_m * body.sinking_ratio(),
                 ..drawn.contact
             },
-            yaw_rad: drawn.yaw_rad,
+            yaw_rad: self.draw.yaw_rad,
         })
     }
 
@@ -170,6 +170,7 @@ impl Drawn<'_> {
                 left_m: gliding.clearance_m,
                 right_m: gliding.clearance_m,
             },
+            yaw_rad: self.draw.yaw_rad,
         })
     }
 

@@ -230,40 +230,36 @@ impl<'a> Trial<'a> {
         })
     }
 
-    /// The probability that it rolls or slides farther than this \[m\].
+    /// The probability that it needs more room than this on a side \[m\].
     fn beyond(&self, context: &Context, room_m: f64) -> Probability {
         let answers: Vec<Option<bool>> = self
             .lived
             .iter()
-            .map(|lived| Some(self.travel_m(lived)? > room_m))
+            .map(|lived| Some(self.needed_m(lived)? > room_m))
             .collect();
         Self::probability_of(context, &answers)
     }
 
-    /// The least room that would suffice: the upper end of the probability that it goes farther is below
-    /// the accepted one. With too few worlds for any, its largest travel; 0 where it rocks \[m\].
+    /// The least room that would suffice: the upper end of the probability that it needs more is below
+    /// the accepted one. With too few worlds for any, the most that it needs; 0 where it rocks \[m\].
     pub(super) fn room_needed_m(&self, context: &Context) -> f64 {
-        let mut travels: Vec<f64> = self
+        let mut rooms: Vec<f64> = self
             .lived
             .iter()
-            .filter_map(|lived| self.travel_m(lived))
+            .filter_map(|lived| self.needed_m(lived))
             .collect();
-        travels.sort_by(f64::total_cmp);
+        rooms.sort_by(f64::total_cmp);
         let suffices = |room_m: f64| {
             side(self.beyond(context, room_m), self.member.accepted_ratio) == Side::Below
         };
-        let least = travels.partition_point(|&room_m| !suffices(room_m));
-        travels
-            .get(least)
-            .or(travels.last())
-            .copied()
-            .unwrap_or(0.0)
+        let least = rooms.partition_point(|&room_m| !suffices(room_m));
+        rooms.get(least).or(rooms.last()).copied().unwrap_or(0.0)
     }
 
-    /// How far it rolls or slides in a world, 0 where it rocks; `None`: that is not known \[m\].
-    fn travel_m(&self, lived: &Lived) -> Option<f64> {
+    /// The room that it needs on every side in a world, 0 where it rocks; `None`: that is not known \[m\].
+    fn needed_m(&self, lived: &Lived) -> Option<f64> {
         let outcome = lived.on_rigid()?.outcome;
-        Some(outcome.travelled().map_or(0.0, |way| way.travel_m))
+        Some(outcome.travelled().map_or(0.0, |way| way.room_m))
     }
 
     /// Whether worlds can still settle a question.

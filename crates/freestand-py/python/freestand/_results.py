@@ -348,6 +348,9 @@ class ObjectResult(Result):
     worlds_needed: int | None
     is_round: bool
     clearance_needed_m: float | None
+    clearance_m_median: float | None
+    clearance_m_p84: float | None
+    clearance_m_p98: float | None
     p_overturn_locked: float | None
     falls: str
     shock: str

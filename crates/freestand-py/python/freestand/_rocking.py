@@ -55,6 +55,7 @@ def rock(
     orientation_rad: float | None = None,
     contact_damping: float | None = None,
     contact_sinking_m: float | None = None,
+    rolling_friction: float | None = None,
 ) -> R:
     """How an object responds to a motion of its floor.
 
@@ -93,9 +94,10 @@ def rock(
     cg_rise_m, contacts, at_m, tangential_stiffness_n_m, tangential_ratio : optional
         Of a compliant base alone: the rise from which the object is released [m], the number of contacts, a point (x, z)
         whose acceleration is reported [m], and the tangential stiffness [N/m] or its ratio to the vertical one.
-    across, orientation_rad, contact_damping, contact_sinking_m : optional
+    across, orientation_rad, contact_damping, contact_sinking_m, rolling_friction : optional
         Of a body alone: the motion to the left of `motion`, the angle by which it is turned, anticlockwise from above [rad], the
-        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001 of a scan, 0.00001 of a shape).
+        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001 of a scan, 0.00001 of a shape);
+        the coefficient of rolling friction of a cylinder, lever arm over radius (0).
 
     Returns
     -------
@@ -121,6 +123,7 @@ def rock(
         friction=friction, gravity_m_s2=gravity_m_s2, cg_rise_m=cg_rise_m, contacts=contacts, at_m=at_m,
         tangential_stiffness_n_m=tangential_stiffness_n_m, tangential_ratio=tangential_ratio,
         orientation_rad=orientation_rad, contact_damping=contact_damping, contact_sinking_m=contact_sinking_m,
+        rolling_friction=rolling_friction,
     )  # fmt: skip
     if walls is not None:
         asked |= walls._asked()
@@ -141,6 +144,7 @@ def rock_each(
     orientation_rad: float | None = None,
     contact_damping: float | None = None,
     contact_sinking_m: float | None = None,
+    rolling_friction: float | None = None,
     gravity_m_s2: float | None = None,
     history: bool = False,
 ) -> list[BodyResult]:
@@ -149,7 +153,7 @@ def rock_each(
     asked, files = body._asked()
     asked |= given(
         friction=friction, orientation_rad=orientation_rad, contact_damping=contact_damping,
-        contact_sinking_m=contact_sinking_m, gravity_m_s2=gravity_m_s2,
+        contact_sinking_m=contact_sinking_m, rolling_friction=rolling_friction, gravity_m_s2=gravity_m_s2,
     )  # fmt: skip
     return _followed(body, asked, files, several(motions), None, None, bool(history))
 

@@ -6,3 +6,4 @@ mod large_files;
 mod mutations;
 mod real_records;
 mod suites;
+mod worlds;

@@ -19,7 +19,7 @@ use freestand_records::formats::{ReadOptions, read_motions};
 use std::path::Path;
 
 /// The 22 pairs in the order of their names.
-fn pairs() -> Option<Vec<[Motion; 2]>> {
+pub(crate) fn pairs() -> Option<Vec<[Motion; 2]>> {
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let shared = std::env::var_os("FREESTAND_SHARED")
         .map_or_else(|| workspace.join("../shared"), Into::into);
@@ -53,11 +53,11 @@ fn pairs() -> Option<Vec<[Motion; 2]>> {
     )
 }
 
-fn periods_s() -> Vec<f64> {
+pub(crate) fn periods_s() -> Vec<f64> {
     suite_periods_s(0.2, 3.0).unwrap()
 }
 
-fn mean(values: &[f64]) -> f64 {
+pub(crate) fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
 
@@ -90,17 +90,26 @@ fn correlation(all: &[[Vec<f64>; 2]]) -> f64 {
     mean(&(0..SUITE_PERIODS).map(at).collect::<Vec<_>>())
 }
 
+/// EN 1998-1 type 1, ground C, 0.2 g [g].
+pub(crate) fn code(period_s: f64) -> f64 {
+    Eurocode8::new(SpectrumType::Type1, GroundType::C, 0.2, 1.0)
+        .unwrap()
+        .sa_g(period_s)
+}
+
+/// ln PSA at these periods [m/s²].
+pub(crate) fn ln_sa(motion: &Motion) -> Vec<f64> {
+    response_spectrum(motion, 0.05, &periods_s())
+        .unwrap()
+        .psa_m_s2
+        .iter()
+        .map(|sa| sa.ln())
+        .collect()
+}
+
 #[test]
 fn the_dispersion_of_recorded_pairs() {
     let Some(pairs) = pairs() else { return };
-    let ln_sa = |motion: &Motion| -> Vec<f64> {
-        response_spectrum(motion, 0.05, &periods_s())
-            .unwrap()
-            .psa_m_s2
-            .iter()
-            .map(|sa| sa.ln())
-            .collect()
-    };
     let one: Vec<[Vec<f64>; 2]> = pairs
         .iter()
         .map(|pair| pair.each_ref().map(ln_sa))
@@ -160,8 +169,7 @@ fn the_dispersion_of_recorded_pairs() {
 #[test]
 fn suites_of_recorded_pairs() {
     let Some(pairs) = pairs() else { return };
-    let code = Eurocode8::new(SpectrumType::Type1, GroundType::C, 0.2, 1.0).unwrap();
-    let target: Vec<f64> = periods_s().iter().map(|t| code.sa_g(*t).ln()).collect();
+    let target: Vec<f64> = periods_s().iter().map(|t| code(*t).ln()).collect();
     let candidates: Vec<Candidate> = pairs
         .iter()
         .map(|[x, y]| Candidate::of_motions(&[x, y], &periods_s()).unwrap())

@@ -320,6 +320,7 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
             is_at_least: false,
             clearance_m: Some(0.3),
             clearance_needed_m: 0.42,
+            room_m: [0.19, 0.32, 0.4],
             stop_share: 0.25,
             stop_speed_m_s_p84: Some(0.4),
             trip_speed_m_s: 0.9,

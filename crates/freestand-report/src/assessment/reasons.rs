@@ -622,6 +622,11 @@ fn of_note(note: &Note, found: &Assessment) -> String {
              stands on it."
                 .to_owned()
         }
+        Note::LowestTail => {
+            "On the ground, synthetic motions have too few of the rarest falls: a probability of a few percent or less may be \
+             twice as large or more."
+                .to_owned()
+        }
     }
 }
 

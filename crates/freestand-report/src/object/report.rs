@@ -290,6 +290,10 @@ answer_of!(ObjectReport as report {
     worlds_needed: Option<u64> = report.found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from);
     is_round: bool = report.is_round;
     clearance_needed_m: Option<f64> = report.found.rolled.map(|rolled| rolled.clearance_needed_m);
+    /// Room on every side that 50, 84 and 98 % of the earthquakes do not exceed.
+    clearance_m_median: Option<f64> = report.found.rolled.map(|rolled| rolled.room_m[0]);
+    clearance_m_p84: Option<f64> = report.found.rolled.map(|rolled| rolled.room_m[1]);
+    clearance_m_p98: Option<f64> = report.found.rolled.map(|rolled| rolled.room_m[2]);
     p_overturn_locked: Option<f64> = report.found.braked.map(|braked| braked.overturn.value);
     place_is_assumed: bool = report.place_is_assumed;
     building_is_assumed: bool = report.building_is_assumed;

@@ -308,6 +308,8 @@ answer! {
         friction_ratio: f64 = request.contact.friction_ratio => "friction";
         contact_damping_ratio: f64 = request.contact.damping_ratio => "damping of the contacts";
         contact_sinking_m: f64 = request.contact.sinking_m => "static compression of three contacts";
+        /// Coefficient of rolling friction of a cylinder on its rim.
+        rolling_friction_ratio: f64 = request.contact.rolling_ratio;
         /// How far the body is turned from the first motion, anticlockwise from above.
         orientation_rad: f64 = request.orientation_rad;
         /// Whether the probability that such a body falls is known to be too low.

@@ -15,6 +15,7 @@
 pub mod barrier;
 pub mod contact;
 pub mod poses;
+mod rolling;
 pub mod shake;
 pub mod shapes;
 
@@ -53,7 +54,9 @@ pub enum HullError {
     #[error("the mass or the moments of inertia are not those of a body")]
     Mass,
     /// How it touches the floor is not valid.
-    #[error("friction must be at least 0, damping and sinking of the contacts above 0")]
+    #[error(
+        "friction and rolling friction must be at least 0, damping and sinking of the contacts above 0"
+    )]
     Contact,
     /// The components of the motion differ.
     #[error("the components of the motion must have the same step and length")]

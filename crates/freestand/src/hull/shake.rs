@@ -15,7 +15,7 @@
 use pulp::Arch;
 
 use super::poses::StablePose;
-use super::{HullBody, HullError, Vector};
+use super::{HullBody, HullError, Vector, rolling};
 use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
 use crate::space::{Shift, Turn, cross, difference, dot, shift, turned, turned_back, turning};
@@ -30,15 +30,18 @@ pub struct Contact {
     pub damping_ratio: f64,
     /// How far three points sink under the weight, δ \[m\].
     pub sinking_m: f64,
+    /// Coefficient of rolling friction μ_r of a round body: the lever arm of the normal force over the radius.
+    pub rolling_ratio: f64,
 }
 
 impl Default for Contact {
-    /// μ = 0.6, ζ = 0.2, δ = 0.1 mm: fixed before any test was calculated.
+    /// μ = 0.6, ζ = 0.2, δ = 0.1 mm: fixed before any test was calculated. No rolling friction.
     fn default() -> Self {
         Self {
             friction_ratio: 0.6,
             damping_ratio: 0.2,
             sinking_m: 1e-4,
+            rolling_ratio: 0.0,
         }
     }
 }
@@ -398,6 +401,7 @@ struct Stepper<'b> {
     tangential_n_m: f64,
     tangential_n_s_m: f64,
     friction_ratio: f64,
+    rolling_ratio: f64,
     gravity_m_s2: f64,
     /// The longest step \[s\].
     longest_s: f64,
@@ -443,6 +447,7 @@ impl<'b> Stepper<'b> {
             tangential_n_m,
             tangential_n_s_m: damping(1.4, tangential_n_m),
             friction_ratio: contact.friction_ratio,
+            rolling_ratio: contact.rolling_ratio,
             gravity_m_s2,
             longest_s,
             place_m: [0.0, 0.0, body.pose().cg_height_m],
@@ -473,6 +478,13 @@ impl<'b> Stepper<'b> {
             for i in 0..3 {
                 force[i] += of_point[i];
                 torque[i] += moment[i];
+            }
+            if self.rolling_ratio > 0.0 {
+                let (point_m, down) = (&self.body.points_m[point], &self.body.pose().down);
+                let held = rolling::moment_m(point_m, down, &self.shift, &omega);
+                for i in 0..2 {
+                    torque[i] += self.rolling_ratio * normal_n * held[i];
+                }
             }
         }
         let down = [0.0, 0.0, self.gravity_m_s2];
@@ -637,9 +649,11 @@ fn followed(
         friction_ratio,
         damping_ratio,
         sinking_m,
+        rolling_ratio,
     } = *contact;
     let is_positive = |x: f64| x > 0.0 && x.is_finite();
-    if !(friction_ratio >= 0.0 && is_positive(damping_ratio) && is_positive(sinking_m)) {
+    let rolls = rolling_ratio >= 0.0 && rolling_ratio.is_finite();
+    if !(friction_ratio >= 0.0 && rolls && is_positive(damping_ratio) && is_positive(sinking_m)) {
         return Err(HullError::Contact);
     }
     let given = [motion.x, motion.y, motion.vertical];

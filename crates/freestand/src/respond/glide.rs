@@ -16,6 +16,8 @@ use super::settings::Settings;
 pub struct Glide {
     /// The largest distance from where it stood, as if nothing were in the way \[m\].
     pub travel_m: f64,
+    /// What it needs free on every side of it, if its sides are along its axes \[m\].
+    pub room_m: f64,
     /// Whether one component of the floor is all that is known, so that it travels farther.
     pub is_at_least: bool,
     /// Speed at which it reaches its stop; `None`: it does not \[m/s\].
@@ -31,19 +33,24 @@ impl Glider {
         settings: &Settings,
     ) -> Result<Planes<Glide>, RespondError> {
         let options = settings.sliding(self.friction, self.clearance);
-        let both = under_both(&options, shaking)?;
+        let both = under_both(&options, self.yaw_rad, shaking)?;
         let in_plane = |plane: &Plane| {
-            let (travel_m, stop_speed_m_s) = match &both {
-                Some(found) => (found.peak_m, self.stop_speed_m_s(plane, found)),
+            let (travel_m, room_m, stop_speed_m_s) = match &both {
+                Some(found) => (
+                    found.peak_m,
+                    found.room_m,
+                    self.stop_speed_m_s(plane, found),
+                ),
                 None => {
                     let found = slid(&options, shaking, plane.along)?;
                     let stop_speed_m_s = found.contact.map(|(_, speed_m_s)| speed_m_s.abs());
-                    (found.peak_m.abs(), stop_speed_m_s)
+                    (found.peak_m.abs(), found.peak_m.abs(), stop_speed_m_s)
                 }
             };
             let trip_m_s = trip_speed_m_s(&plane.block, settings.gravity_m_s2);
             Ok(Glide {
                 travel_m,
+                room_m,
                 is_at_least: both.is_none(),
                 stop_speed_m_s,
                 has_tripped: stop_speed_m_s.is_some_and(|speed_m_s| speed_m_s >= trip_m_s),
@@ -54,17 +61,19 @@ impl Glider {
 
     /// Without a width the one block stands for both directions: it meets the stops of both.
     fn stop_speed_m_s(&self, plane: &Plane, found: &PlaneSliding) -> Option<f64> {
-        let speeds_m_s = [Along::X, Along::Y].into_iter().zip(found.stop_speeds_m_s);
+        let own = usize::from(plane.along != self.planes.one.along);
+        let speeds_m_s = found.stop_speeds_m_s.into_iter().enumerate();
         speeds_m_s
-            .filter(|(along, _)| self.planes.other.is_none() || *along == plane.along)
+            .filter(|(axis, _)| self.planes.other.is_none() || *axis == own)
             .filter_map(|(_, speed_m_s)| speed_m_s)
             .reduce(f64::max)
     }
 }
 
-/// The slide under both components of the floor; `None`: it has one.
+/// The slide under both components of the floor, of an object that is turned from x towards y; `None`: it has one.
 fn under_both(
     options: &SlidingOptions,
+    yaw_rad: f64,
     shaking: &Shaking<'_>,
 ) -> Result<Option<PlaneSliding>, RespondError> {
     let (Some(x), Some(y)) = (shaking.x, shaking.y) else {
@@ -75,7 +84,7 @@ fn under_both(
         y,
         vertical: shaking.vertical,
     };
-    let found = slide_in_plane(motion, options)?;
+    let found = slide_in_plane(motion, yaw_rad, options)?;
     match found.free_flight_time_s {
         Some(time_s) => Err(RockingError::FreeFlight { time_s }.into()),
         None => Ok(Some(found)),

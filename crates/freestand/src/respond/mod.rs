@@ -101,7 +101,8 @@ impl Response {
 /// let plane = Plane { along: Along::X, block: Block::uniform(1.8, 0.6)? };
 /// let still = RigidPlane { plane, restitution: Restitution::Housner, walls: Walls::NONE };
 /// let friction = Friction::uniform(0.02)?;
-/// let rolling = Glider { planes: Planes::single(plane), friction, clearance: Clearance::default() };
+/// let (planes, clearance) = (Planes::single(plane), Clearance::default());
+/// let rolling = Glider { planes, friction, clearance, yaw_rad: 0.0 };
 /// let still = Object::Rigid(Planes::single(still));
 /// let objects = [(still, floor), (Object::Rolls(rolling), floor)];
 /// let outcomes = respond(&objects, &Settings::default()).into_iter().map(|found| Ok(found?.outcome()));

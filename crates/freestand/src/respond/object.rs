@@ -211,4 +211,7 @@ pub struct Glider {
     pub friction: Friction,
     /// The way to a stop, on both sides of every plane.
     pub clearance: Clearance,
+    /// How far its first plane is turned from x towards y of the floor, where both components are known; where
+    /// one is, it moves along that of its plane \[rad\].
+    pub yaw_rad: f64,
 }

@@ -33,6 +33,8 @@ pub enum Outcome {
 pub struct Travelled {
     /// The largest way from where it stood, as if nothing were in the way \[m\].
     pub travel_m: f64,
+    /// What it needs free on every side of it \[m\].
+    pub room_m: f64,
     /// Speed at which it reached its stop; `None`: it did not \[m/s\].
     pub stop_speed_m_s: Option<f64>,
     /// Whether one component of the floor is all that is known, so that it went farther.
@@ -116,6 +118,7 @@ impl Travelled {
         let speeds_m_s = planes.iter().filter_map(|one| one.stop_speed_m_s);
         Self {
             travel_m: planes.iter().map(|one| one.travel_m).fold(0.0, f64::max),
+            room_m: planes.iter().map(|one| one.room_m).fold(0.0, f64::max),
             stop_speed_m_s: speeds_m_s.reduce(f64::max),
             is_at_least: planes.iter().any(|one| one.is_at_least),
             has_tripped: planes.iter().any(|one| one.has_tripped),

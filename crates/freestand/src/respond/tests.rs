@@ -104,6 +104,7 @@ fn all() -> Vec<Object> {
             left_m: room_m,
             right_m: room_m,
         },
+        yaw_rad: 0.4,
     };
     vec![
         Object::Rigid(Planes {
@@ -257,6 +258,7 @@ fn what_rolls_has_a_way_and_a_stop() {
             planes: Planes::single(slender),
             friction,
             clearance,
+            yaw_rad: 0.0,
         };
         let found = respond(&[(Object::Rolls(glider), shaking)], &Settings::default()).remove(0);
         found.unwrap().outcome()

@@ -24,13 +24,16 @@ pub struct PlaneMotion<'a> {
 pub struct PlaneSliding {
     /// Largest distance from where the block stood, as if nothing were in the way \[m\].
     pub peak_m: f64,
-    /// Displacement at the end \[m\].
+    /// Largest distance along an axis of the block, to either side of it: what a block with its sides along
+    /// these axes needs free on every side \[m\].
+    pub room_m: f64,
+    /// Displacement at the end, along the axes of the block \[m\].
     pub final_m: [f64; 2],
     /// Length of the path \[m\].
     pub path_m: f64,
     /// Largest speed \[m/s\].
     pub speed_max_m_s: f64,
-    /// Speed towards the stop, along x and along y, where the block first reaches a stop on that axis;
+    /// Speed towards the stop, along both axes of the block, where it first reaches a stop on that axis;
     /// `None`: it does not \[m/s\].
     pub stop_speeds_m_s: [Option<f64>; 2],
     /// Time at which the history ended \[s\].
@@ -41,7 +44,9 @@ pub struct PlaneSliding {
 
 /// The slide of a block under both components: **v**′ = −**a** − μ (g + a_v) **v**/|**v**|, and at rest it sticks
 /// where |**a**| ≤ μ (g + a_v). The coefficient is the static one throughout. The clearances of the options
-/// are those on both sides of each axis; the calculation goes on as if nothing were there.
+/// are those on both sides of each axis of the block, which is turned by `yaw_rad` from x towards y and does not
+/// turn as it slides; the calculation goes on as if nothing were there. Towards a wall at right angles to **n** it
+/// needs max(−**x**·**n**) from its own face: its footprint reaches that far already.
 ///
 /// # Method
 /// Steps of at most 0.5 ms within each sample interval: the floor's acceleration at the middle of the
@@ -56,6 +61,7 @@ pub struct PlaneSliding {
 /// Motions that differ in step or length, and options that are not numbers.
 pub fn slide_in_plane(
     motion: PlaneMotion<'_>,
+    yaw_rad: f64,
     options: &SlidingOptions,
 ) -> Result<PlaneSliding, SlidingError> {
     options.check()?;
@@ -83,6 +89,7 @@ pub fn slide_in_plane(
     let at = |motion: &Motion, index: usize| motion.accel_m_s2().get(index).copied().unwrap_or(0.0);
     let clearances = [options.clearance.left_m, options.clearance.right_m];
     let mut slider = Slider::new(clearances);
+    let (sin, cos) = yaw_rad.sin_cos();
     let mut index = 0;
     while (index as f64) * dt_s < end_s {
         if index >= samples
@@ -110,7 +117,8 @@ pub fn slide_in_plane(
                 slider.result.free_flight_time_s = Some(index as f64 * dt_s + part as f64 * step_s);
                 return Ok(slider.finish());
             }
-            slider.step([a_x, a_y], options.friction.static_ratio() * weight, step_s);
+            let along = [cos * a_x + sin * a_y, cos * a_y - sin * a_x];
+            slider.step(along, options.friction.static_ratio() * weight, step_s);
         }
         index += 1;
         slider.result.end_time_s = index as f64 * dt_s;
@@ -129,6 +137,7 @@ impl Slider {
     fn new(clearances_m: [Option<f64>; 2]) -> Self {
         let result = PlaneSliding {
             peak_m: 0.0,
+            room_m: 0.0,
             final_m: [0.0; 2],
             path_m: 0.0,
             speed_max_m_s: 0.0,
@@ -168,6 +177,10 @@ impl Slider {
             .speed_max_m_s
             .max(self.velocity[0].hypot(self.velocity[1]));
         result.peak_m = result.peak_m.max(self.place[0].hypot(self.place[1]));
+        result.room_m = self
+            .place
+            .iter()
+            .fold(result.room_m, |most, place| most.max(place.abs()));
         let [left_m, right_m] = self.clearances_m;
         for ((place, moved), stop_speed) in self
             .place
@@ -244,6 +257,7 @@ mod tests {
                     y: &still,
                     vertical: None,
                 },
+                0.0,
                 &options,
             )
             .unwrap();
@@ -268,6 +282,7 @@ mod tests {
                 exact.path_m
             );
             assert_eq!(found.final_m[1], 0.0);
+            assert_eq!(found.room_m, found.peak_m);
             assert_eq!(found.stop_speeds_m_s[0].is_some(), exact.contact.is_some());
             let speeds = found.stop_speeds_m_s[0].zip(exact.contact);
             // The speed where a stop stands is reached within a step, half a millisecond of 1 g.
@@ -289,6 +304,7 @@ mod tests {
                     y,
                     vertical: None,
                 },
+                0.0,
                 &options(0.2, None),
             )
             .unwrap()
@@ -311,6 +327,22 @@ mod tests {
         ] {
             assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
         }
+        // The block turned in place of the axes: the same room, between the largest distance and that over √2.
+        let both = PlaneMotion {
+            x: &first,
+            y: &second,
+            vertical: None,
+        };
+        let yawed = slide_in_plane(both, 0.7, &options(0.2, None)).unwrap();
+        assert!(
+            (yawed.room_m / turned.room_m - 1.0).abs() < 1e-9,
+            "{yawed:?}"
+        );
+        assert!(
+            (yawed.room_m / along.room_m - 1.0).abs() > 0.01,
+            "{yawed:?}"
+        );
+        assert!((0.5_f64.sqrt()..=1.0).contains(&(yawed.room_m / yawed.peak_m)));
         let still = wave(0.0, 1.0);
         assert!(
             along.peak_m > found(&first, &still).peak_m && along.peak_m > 0.05,

@@ -8,7 +8,8 @@ use crate::fragility::draw_stream;
 /// The source of the random numbers of worlds, as named in outputs.
 pub const WORLD_GENERATOR: &str = "ChaCha8Rng (rand_chacha 0.10), 256-bit key of four 64-bit numbers: seed, object \
                                    (0 where all share it), world, group + 2^8 * repetition + 2^40 * (1 for an \
-                                   object) + 2^63; StandardNormal (rand_distr 0.6)";
+                                   object) + 2^41 * (draws that were refused) + 2^63; StandardNormal (rand_distr \
+                                   0.6)";
 
 /// What a draw is for. Each group has its own random numbers, so drawing one again leaves all
 /// others as they are.
@@ -55,6 +56,8 @@ impl Group {
 const OF_WORLDS: u64 = 1 << 63;
 /// Marks the keys of an object: those of object 0 are not the shared ones.
 const OF_OBJECT: u64 = 1 << 40;
+/// The bits above that mark count the draws that were refused.
+const REFUSED_SHIFT: u32 = 41;
 
 fn purpose(group: Group, repetition: u32) -> u64 {
     OF_WORLDS | u64::from(repetition) << 8 | group.code()
@@ -75,7 +78,7 @@ fn purpose(group: Group, repetition: u32) -> u64 {
 /// assert_ne!(period(7), period(8));
 /// ```
 pub fn world_stream(seed: u64, world: u32, group: Group, repetition: u32) -> ChaCha8Rng {
-    draw_stream(seed, 0, u64::from(world), purpose(group, repetition))
+    redrawn_stream(seed, world, group, repetition, 0)
 }
 
 /// The random numbers of a group of one object in a world; `object` is a number that depends on the
@@ -93,6 +96,18 @@ pub fn object_stream(
         u64::from(world),
         OF_OBJECT | purpose(group, repetition),
     )
+}
+
+/// As [`world_stream`], after `refused` draws of this group that were not accepted.
+pub(super) fn redrawn_stream(
+    seed: u64,
+    world: u32,
+    group: Group,
+    repetition: u32,
+    refused: u16,
+) -> ChaCha8Rng {
+    let purpose = purpose(group, repetition) | u64::from(refused) << REFUSED_SHIFT;
+    draw_stream(seed, 0, u64::from(world), purpose)
 }
 
 /// A place from 0 to `count` − 1, each with the same chance to within count/2⁶⁴; 0 where there is

@@ -36,6 +36,11 @@ fn no_two_uses_share_random_numbers() {
             for object in [0, 1, u64::MAX] {
                 add(object_stream(seed, world, object, group, repetition));
             }
+            for refused in [1, 2, u16::MAX] {
+                add(super::streams::redrawn_stream(
+                    seed, world, group, repetition, refused,
+                ));
+            }
         }
     }
 }
@@ -554,6 +559,107 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
         correlation.iter().all(|one| (0.35..0.8).contains(one))
             && (0.28..0.50).contains(&uncertain)
     );
+}
+
+/// A world whose spectra are not extreme is the first that was drawn; any other is drawn again under its own
+/// number, so that no world depends on another.
+#[test]
+#[ignore = "seconds: 50,000 worlds; run it after a change of the spectra"]
+fn extreme_spectra_are_drawn_again() {
+    use rayon::prelude::*;
+    const WORLDS: u32 = 50_000;
+    let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
+    let periods_s = crate::synthesis::matched_periods_s();
+    let places = [0.2, 0.5, 1.0, 2.0]
+        .map(|period_s| periods_s.iter().position(|t| t / period_s > 0.99).unwrap());
+    let of = |spectra: &WorldSpectra| places.map(|i| spectra.x.ln_ratios()[i]);
+    let worlds: Vec<_> = (0..WORLDS)
+        .into_par_iter()
+        .map(|world| {
+            let (first, kept) = (spread.drawn(1, world, 0, 0), spread.spectra(1, world, 0));
+            let is_extreme = |one: &Deviation| spread.is_extreme(one);
+            let is_redrawn = is_extreme(&first.x) || is_extreme(&first.y);
+            assert_eq!((&first.x, &first.y) != (&kept.x, &kept.y), is_redrawn);
+            assert_eq!(first.vertical != kept.vertical, is_extreme(&first.vertical));
+            assert!(
+                ![&kept.x, &kept.y, &kept.vertical]
+                    .into_iter()
+                    .any(is_extreme)
+            );
+            (of(&first), of(&kept), is_redrawn)
+        })
+        .collect();
+    let share = worlds.iter().filter(|one| one.2).count() as f64 / f64::from(WORLDS);
+    println!("drawn again: {:.2} % of the worlds", 100.0 * share);
+    // 200,000 worlds of another program: 0.0198. Four standard errors.
+    assert!((share - 0.0198).abs() < 4.0 * (0.0198 / f64::from(WORLDS)).sqrt());
+    for (k, i) in places.into_iter().enumerate() {
+        let first: Vec<f64> = worlds.iter().map(|one| one.0[k]).collect();
+        let kept: Vec<f64> = worlds.iter().map(|one| one.1[k]).collect();
+        let shifts = [mean(&kept) - mean(&first), sd(&kept) - sd(&first)];
+        println!(
+            "ln Sa at {:.1} s: sd {:.3}, shift of the mean {:+.4}, of the sd {:+.4}; largest {:.2}, then {:.2}",
+            periods_s[i],
+            sd(&first),
+            shifts[0],
+            shifts[1],
+            first.iter().copied().fold(0.0, f64::max),
+            kept.iter().copied().fold(0.0, f64::max)
+        );
+        // A normal variable cut at ±3 has 0.9867 of its standard deviation; the cuts at the other periods and
+        // of the other component take as much again at most. A mean differs by 2 % of worlds by some 1.5:
+        // 4 · 1.5 √(0.02/50,000).
+        assert!(shifts[0].abs() < 0.004);
+        assert!((-0.0266..-0.0133 + 0.002).contains(&(shifts[1] / sd(&first))));
+    }
+}
+
+/// The peaks of motions for a design ground acceleration of 0.5 g (EN 1998-1 type 1, ground B), as `--pga 0.5g`
+/// asks for them.
+#[test]
+#[ignore = "half a minute: 2 × 400 motions are matched; run it after a change of the spectra"]
+fn the_median_peak_of_the_motions_is_that_of_the_target() {
+    use crate::code_spectrum::{Eurocode8, GroundType, SpectrumType};
+    use rayon::prelude::*;
+    const WORLDS: u32 = 400;
+    // a_g S is the design ground acceleration; S = 1.2.
+    let code = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.5 / 1.2, 1.0).unwrap();
+    let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
+    let options = crate::synthesis::SynthesisOptions::default();
+    let peaks = |spectra: &WorldSpectra, world| {
+        [Component::X, Component::Y].map(|component| {
+            let key = (1, world, 0);
+            let made = world_motion(|t| code.sa_g(t), spectra, component, key, &options).unwrap();
+            made.motion.peak_m_s2() / crate::G0_M_S2
+        })
+    };
+    let both: Vec<[[f64; 2]; 2]> = (0..WORLDS)
+        .into_par_iter()
+        .map(|world| {
+            let (first, kept) = (spread.drawn(1, world, 0, 0), spread.spectra(1, world, 0));
+            let found = peaks(&kept, world);
+            let before = match first == kept {
+                true => found,
+                false => peaks(&first, world),
+            };
+            [before, found]
+        })
+        .collect();
+    let sorted = |which: usize| {
+        let mut all: Vec<f64> = both.iter().flat_map(|one| one[which]).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let (before, found) = (sorted(0), sorted(1));
+    let (median, most) = (found[found.len() / 2], found[found.len() - 1]);
+    println!(
+        "PGA of a component: median {median:.3} g, largest {most:.2} g; with extreme worlds {:.3} and {:.2} g",
+        before[before.len() / 2],
+        before[before.len() - 1]
+    );
+    // 0.565 g by another program; 3 standard errors of a median, 1.25 · 0.34/√n, of pairs that count as 500.
+    assert!((median / 0.565 - 1.0).abs() < 3.0 * 1.25 * 0.34 / 500_f64.sqrt());
+    assert!(most < before[before.len() - 1]);
 }
 
 /// Knowing less about restitution must not change how often an object overturns by much: from s = 0

@@ -65,6 +65,7 @@ fn full() -> (Item, Assessment) {
         is_at_least: false,
         clearance_m: Some(0.2),
         clearance_needed_m: 0.45,
+        room_m: [0.18, 0.29, 0.4],
         stop_share: 0.2,
         stop_speed_m_s_p84: Some(0.5),
         trip_speed_m_s: 0.9,
@@ -186,6 +187,7 @@ fn every_reason_in_words() {
         Note::OneComponent,
         Note::FeetPassWall,
         Note::StackInPlane,
+        Note::LowestTail,
     ];
     told.extend(
         notes

@@ -50,6 +50,7 @@ const ROLLED: Rolled = Rolled {
     stop_share: 0.0,
     stop_speed_m_s_p84: None,
     clearance_needed_m: 0.45,
+    room_m: [0.18, 0.29, 0.4],
     trip_speed_m_s: 1.92,
 };
 

@@ -346,6 +346,24 @@ pub(super) const COLUMNS: &[Column] = &[
         "room on every side that would suffice for its travel; only where it rolls or slides",
         |l| of(l, |found| Some(found.rolled?.clearance_needed_m)),
     ),
+    number(
+        "clearance_m_median",
+        "m",
+        "room on every side that it needs in the median world, turned as it is there; only where it rolls or slides",
+        |l| of(l, |found| Some(found.rolled?.room_m[0])),
+    ),
+    number(
+        "clearance_m_p84",
+        "m",
+        "the same that 84 % of the worlds do not exceed",
+        |l| of(l, |found| Some(found.rolled?.room_m[1])),
+    ),
+    number(
+        "clearance_m_p98",
+        "m",
+        "the same that 98 % of the worlds do not exceed",
+        |l| of(l, |found| Some(found.rolled?.room_m[2])),
+    ),
     share(
         "p_overturn_locked",
         "probability that it falls when it is locked; only where it lacks room",
