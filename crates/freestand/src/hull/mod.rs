@@ -8,6 +8,7 @@
 //! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
 //! * [`contact`]: the few points of its hull with which it touches the floor;
 //! * [`shake`]: the body under a motion of the floor;
+//! * [`wall`]: walls beside it;
 //! * [`shapes`]: prisms and cylinders, on their outline or on feet.
 //!
 //! Vectors are in the axes in which the body was given, from its centre of gravity, z upward.
@@ -17,6 +18,7 @@ pub mod contact;
 pub mod poses;
 pub mod shake;
 pub mod shapes;
+pub mod wall;
 
 use thiserror::Error;
 
@@ -55,6 +57,9 @@ pub enum HullError {
     /// How it touches the floor is not valid.
     #[error("friction must be at least 0, damping and sinking of the contacts above 0")]
     Contact,
+    /// A wall is not valid.
+    #[error("the gap and the damping of a wall must be at least 0, its stiffness above 0")]
+    Wall,
     /// The components of the motion differ.
     #[error("the components of the motion must have the same step and length")]
     Motion,

@@ -184,7 +184,6 @@ fn every_reason_in_words() {
         Note::Flat(Flat::Stack),
         Note::OneRealisation,
         Note::OneComponent,
-        Note::FeetPassWall,
         Note::StackInPlane,
     ];
     told.extend(
@@ -228,7 +227,7 @@ fn answers_and_pads_in_words() {
         ..falls(FallsAnswer::Close)
     };
     answered("few worlds", needed, falling.clone());
-    for why in [TooMild::Round, TooMild::FeetPassWall] {
+    for why in [TooMild::Round, TooMild::TouchesWall] {
         let mild = Answers {
             too_mild: Some(why),
             ..falls(FallsAnswer::Close)
