@@ -400,7 +400,8 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
     if let Some(ends) = given.ends(edge_n_m).filter(|_| !request.walls.is_empty()) {
         let [soft, stiff] = ends.map(|cushion| -> Result<Ended, Problem> {
             let found = beside(cushion, false)?;
-            Ok((cushion, outcome_name(found.outcome), found.peak_tilt_rad))
+            let ratios = (cushion.0 / edge_n_m, cushion.1);
+            Ok((ratios, outcome_name(found.outcome), found.peak_tilt_rad))
         });
         warnings.push(ends_warning([soft?, stiff?]));
     }

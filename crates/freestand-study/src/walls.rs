@@ -77,22 +77,22 @@ impl GivenCushion {
     }
 }
 
-/// What an object does beside a wall: k_w \[N/m\] and ζ_w, how it ends and its largest tilt \[rad\].
+/// What an object does beside a wall: k_w over the stiffness of an edge and ζ_w, how it ends and its largest tilt \[rad\].
 pub(crate) type Ended = ((f64, f64), &'static str, f64);
 
 /// What an object does beside the softest and least damped wall that may stand there and beside the stiffest and most
 /// damped one.
 pub(crate) fn ends_warning(ends: [Ended; 2]) -> String {
-    let of = |((stiffness_n_m, damping_ratio), outcome, tilt_rad): Ended| {
+    let of = |((stiffness_ratio, damping_ratio), outcome, tilt_rad): Ended| {
         format!(
-            "with {} N/mm and {} % of damping it is {outcome} and tilts to {} rad",
-            number(1e-3 * stiffness_n_m, 3),
+            "with {} times the stiffness of an edge and {} % of damping the outcome is {outcome}, the largest tilt {} rad",
+            number(stiffness_ratio, 3),
             number(100.0 * damping_ratio, 2),
             number(tilt_rad, 3)
         )
     };
     let [soft, stiff] = ends.map(of);
-    format!("the cushion of the walls is assumed: {soft}, {stiff}")
+    format!("the cushion of the walls is assumed: {soft}; {stiff}")
 }
 
 /// A wall that cannot be used, with what to do about it.

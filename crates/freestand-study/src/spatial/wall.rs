@@ -105,7 +105,7 @@ pub(super) fn ends(
             .rocking
             .body;
         Ok((
-            (stiffness_n_m, damping_ratio),
+            (stiffness_n_m / edge_n_m, damping_ratio),
             body.outcome.name(),
             body.peak_tilt_rad,
         ))
