@@ -156,7 +156,9 @@ fn walls_that_make_no_sense_are_refused_with_a_hint() {
         "--wall-stiffness=9N/mm",
     ]);
     assert!(
-        power.contains("--wall-stiffness does not describe a cushion of the law"),
+        power.contains(
+            "--wall-stiffness or --wall-damping alone does not describe a cushion of the law"
+        ),
         "{power}"
     );
 }
