@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Runs the study by every model and prints how many worlds fall: run.py [FREESTAND] [FOLDER]."""
+"""Runs the study by every model and prints how many worlds fall: run.py [FREESTAND] [FOLDER] [WORDS]. With words only the
+models that have them in their name, such as "wall"."""
 
 import csv
 import pathlib
@@ -64,10 +65,13 @@ def number(row, name, factor):
 def main():
     binary = sys.argv[1] if len(sys.argv) > 1 else "freestand"
     base = pathlib.Path(sys.argv[2] if len(sys.argv) > 2 else "models-out")
+    words = sys.argv[3] if len(sys.argv) > 3 else ""
     print("| floor | model | object | P on a rigid base | P on its pads | tilt, median [deg] | walk, median [mm] |")
     print("|---|---|---|---|---|---|---|")
     for floor in FLOORS:
         for number_, variant in enumerate(VARIANTS):
+            if words not in variant[0]:
+                continue
             folder = base / f"{floor[0]}-{number_}"
             prepared(folder, floor, variant)
             command = [binary, "assess", folder / "study.toml", "--inventory", folder / "list.csv", "--outcomes"]

@@ -2,6 +2,7 @@
 """An independent program for objects on cushions in three dimensions, and the cases made with it.
 
     python3 reference.py            writes cases.json and rolling.json beside it (some minutes)
+    python3 reference.py walls      writes walls.json (some minutes)
 
 It shares no code and no method with freestand: the rotation is a matrix (nine numbers, brought back
 to a rotation after every step), the integration Runge-Kutta 4 with a fixed step, and a contact that
@@ -10,12 +11,15 @@ a straight line. Needs nothing but Python.
 
 Model: a uniform body, undamped linear cushions k/2 under each corner (2k/48 under each point of a
 rim), springs of the same stiffness along the floor while a foot is loaded, from the place where it
-touched down; no slip. x along the thickness, y along the width, z upward.
+touched down; no slip. A wall at x = -t/2 - gap is smooth and taller than the body; every corner of a
+prism that is behind it, of the base and of the top, presses on it with k_w/2 and c_w/2, and so do the
+points of the two rims of a cylinder that are farthest behind it, with k_w and c_w. x along the thickness, y along the width, z upward.
 """
 import json
 import math
 import os
 import random
+import sys
 
 G = 9.80665
 
@@ -56,6 +60,12 @@ def orthonormal(R):
 def follow(case, substeps, scale=1.0):
     """Largest tilt, its time and both tilts at the end."""
     t, w, h, m, k = (case[key] for key in ("thickness", "width", "height", "mass", "stiffness"))
+    gap = case.get("wall_gap")
+    k_wall = case.get("wall_stiffness", 0.0)
+    c_wall = 2 * case.get("wall_damping", 0.0) * math.sqrt(k_wall * m)
+    corners = [(sx * t / 2, sy * w / 2, sz * h / 2) for sx in (-1, 1) for sy in (-1, 1) for sz in (-1, 1)]
+    # How often the base and the top begin to press on the wall.
+    struck, pressing = [0, 0], set()
     points, share = feet(case["shape"], t, w, h)
     ke = share * k
     J = [m * g2 for g2 in gyration(case["shape"], t, w, h)]
@@ -69,6 +79,23 @@ def follow(case, substeps, scale=1.0):
 
     def place(y, p):
         return [y[i] + y[6 + 3 * i] * p[0] + y[7 + 3 * i] * p[1] + y[8 + 3 * i] * p[2] for i in range(3)]
+
+    def behind(y):
+        """The points that may be behind the wall: number, from the centre of gravity, depth, share of k_w."""
+        if gap is None:
+            return []
+        if case["shape"] == "cylinder":
+            # The rim reaches farthest to -x in the direction of the part of x across the axis.
+            axis = (y[8], y[11], y[14])
+            across = [(1.0 if i == 0 else 0.0) - axis[0] * axis[i] for i in range(3)]
+            size = math.sqrt(sum(v * v for v in across))
+            arms = [[s * h / 2 * axis[i] - t / 2 * across[i] / size for i in range(3)] for s in (-1, 1)]
+            share = 1.0
+        else:
+            arms = [[y[6 + 3 * i] * p[0] + y[7 + 3 * i] * p[1] + y[8 + 3 * i] * p[2] for i in range(3)]
+                    for p in corners]
+            share = 0.5
+        return [(i, arm, -t / 2 - gap - y[0] - arm[0], share) for i, arm in enumerate(arms)]
 
     def rate(y, accel):
         R, spin = y[6:15], y[15:18]
@@ -88,6 +115,15 @@ def follow(case, substeps, scale=1.0):
                 for i in range(3):
                     F[i] += f[i]
                     M[i] += torque[i]
+        # Angular velocity in floor axes, for the speed of the points at the wall.
+        omega = [R[3 * i] * spin[0] + R[3 * i + 1] * spin[1] + R[3 * i + 2] * spin[2] for i in range(3)]
+        for _, arm, depth, share in behind(y):
+            if depth > 0:
+                nearing = -(y[3] + omega[1] * arm[2] - omega[2] * arm[1])
+                f = (max(0.0, share * (k_wall * depth + c_wall * nearing)), 0.0, 0.0)
+                torque = cross(arm, f)
+                F[0] += f[0]
+                M = [M[i] + torque[i] for i in range(3)]
         body = [R[i] * M[0] + R[3 + i] * M[1] + R[6 + i] * M[2] for i in range(3)]
         Js = (J[0] * spin[0], J[1] * spin[1], J[2] * spin[2])
         gyro = cross(spin, Js)
@@ -127,6 +163,12 @@ def follow(case, substeps, scale=1.0):
                 was = place(before, p)
                 part = was[2] / (was[2] - at[2]) if was[2] > 0 else 1.0
                 anchor[index] = (was[0] + part * (at[0] - was[0]), was[1] + part * (at[1] - was[1]))
+        for index, arm, depth, _ in behind(y):
+            if depth <= 0:
+                pressing.discard(index)
+            elif index not in pressing:
+                pressing.add(index)
+                struck[0 if (index % 2 == 0) else 1] += 1
         now = tilt(y)
         if now > peak:
             peak, peak_time = now, (step + 1) * dt
@@ -135,6 +177,7 @@ def follow(case, substeps, scale=1.0):
         "peak_tilt_time_s": peak_time,
         "final_tilt_x_rad": math.atan2(y[8], y[14]),
         "final_tilt_y_rad": math.atan2(y[11], y[14]),
+        "struck": struck,
     }
 
 
@@ -159,6 +202,9 @@ def args(case):
     given += ["--mass", number("mass", "kg"), "--stiffness", number("stiffness", "N/m"), "--motion", "{x}"]
     given += ["--motion-y", "{y}"] if case.get("y") else []
     given += ["--vertical", "{z}"] if case.get("z") else []
+    if "wall_gap" in case:
+        given += ["--wall-gap-left", number("wall_gap", "m"), "--wall-stiffness", number("wall_stiffness", "N/m")]
+        given += ["--wall-damping", str(case["wall_damping"])]
     return given + ["--unit", "m/s2", "--dt", f"{case['dt']} s", "--accuracy", "tight"]
 
 
@@ -198,10 +244,52 @@ def histories():
             if answer and answer[1] < 6e-5 and answer[2] < 30:
                 break
         found, converged, amplification = answer
+        found.pop("struck")
         pulses = {"dt": case["dt"], "duration_s": case["duration"]} | {a: case[a] for a in "xyz" if case.get(a)}
         expect = {"outcome": "rocked"} | found | {"threshold_x_g": t / height, "threshold_y_g": w / height}
         print(group, found["peak_tilt_rad"], converged, amplification, flush=True)
         yield {"id": number, "group": group, "args": args(case), "pulses": pulses, "expect": expect,
+               "amplification": amplification, "converged": converged}
+
+
+def walls():
+    """Histories at a wall: its top and its base strike it."""
+    random.seed(20261)
+    draw = lambda low, high, digits: round(random.uniform(low, high), digits)
+    groups = [("plane", 0.0), ("plane", 0.2)]
+    for number, (group, damping) in enumerate(groups):
+        while True:
+            height, ratio = draw(1.2, 2.2, 2), draw(0.22, 0.32, 2)
+            t = round(ratio * height, 3)
+            w = t if group == "cylinder" else round(draw(1.1, 1.6, 2) * t, 3)
+            mass = draw(100, 500, 1)
+            stiffness = round(mass / 2 * (2 * math.pi * draw(25, 40, 1)) ** 2, -3)
+            period = draw(0.35, 0.55, 2)
+            # The first half throws it against the wall.
+            x = [round(draw(1.3, 1.7, 3) * t / height, 4), period, 0.0]
+            case = {"shape": "cylinder" if group == "cylinder" else "prism", "height": height, "thickness": t,
+                    "width": w, "mass": mass, "stiffness": stiffness, "dt": 0.005,
+                    "duration": round(0.2 * round((period + 0.25) / 0.2), 3), "x": x,
+                    "wall_gap": draw(0.0, 0.02, 4), "wall_damping": damping,
+                    "wall_stiffness": round(draw(1, 3, 1) * stiffness, -3)}
+            if group in ("oblique", "cylinder"):
+                case["y"] = [round(0.6 * x[0] * w / t, 4), period, 0.0]
+            keys = ("peak_tilt_rad", "final_tilt_x_rad", "final_tilt_y_rad")
+            substeps = 40 if case["shape"] == "cylinder" else 80
+            is_wanted = lambda found: (0.01 < found["peak_tilt_rad"] < 0.8 * math.atan(t / height)
+                                       and min(found["struck"]) > 0)
+            # Coarse steps tell most of those that are not wanted.
+            if not is_wanted(follow(case, 10)):
+                continue
+            answer = solved(case, keys, substeps, is_wanted)
+            if answer and answer[1] < 6e-5 and answer[2] < 30:
+                break
+        found, converged, amplification = answer
+        struck = found.pop("struck")
+        pulses = {"dt": case["dt"], "duration_s": case["duration"]} | {a: case[a] for a in "xy" if case.get(a)}
+        print(group, found["peak_tilt_rad"], struck, converged, amplification, flush=True)
+        yield {"id": number, "group": f"{group}, damping {damping}", "args": args(case), "pulses": pulses,
+               "expect": {"outcome": "rocked"} | found, "struck": struck,
                "amplification": amplification, "converged": converged}
 
 
@@ -280,14 +368,19 @@ def rolling():
     return found
 
 
-if __name__ == "__main__":
-    here = os.path.dirname(os.path.abspath(__file__))
-    with open(os.path.join(here, "rolling.json"), "w") as file:
-        json.dump({"readme": "see README.md", "cases": rolling()}, file, indent=1)
-        file.write("\n")
+def write(name, found):
+    """All cases so far, after each of them."""
     cases = []
-    for case in histories():
+    for case in found:
         cases.append(case)
-        with open(os.path.join(here, "cases.json"), "w") as file:
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), name), "w") as file:
             json.dump({"readme": "see README.md", "cases": cases}, file, indent=1)
             file.write("\n")
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["walls"]:
+        write("walls.json", walls())
+        sys.exit()
+    write("rolling.json", rolling())
+    write("cases.json", histories())

@@ -10,8 +10,8 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_scan::body::Leaking;
-use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::hull::body::{Form, SCAN_BASES, SCAN_UNITS, Scan, Upright, feet_of};
+use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::spatial;
 
 use crate::block;

@@ -238,10 +238,7 @@ pub enum Note {
     OneRealisation,
     /// Its floor moves in one direction only.
     OneComponent,
-    /// Its feet pass through its wall.
-    FeetPassWall,
-    /// It is followed on the points of its hull, which is too mild; a wall and its pads do not count, and no shock is
-    /// calculated.
+    /// It is followed on the points of its hull, which is too mild; its pads do not count, and no shock is calculated.
     OnHull,
     /// A stack moves in the plane of the thickness.
     StackInPlane,

@@ -5,6 +5,7 @@ use freestand::block::Block;
 use freestand::rocking::{Rocking, SideExtremes, WallImpact};
 use freestand::wall::{Contact, DEFAULT_WALL_RESTITUTION_RATIO, Wall, WallError, Walls};
 use freestand::wall_shock::{WallShock, largest};
+use freestand::worlds::{WALL_DAMPING_RATIO, WALL_STIFFNESS_RATIO};
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 use freestand_output::answer;
@@ -49,6 +50,49 @@ impl GivenWalls {
         walls.contacts(block).map_err(wall_problem)?;
         Ok(walls)
     }
+}
+
+/// The cushion of walls, as far as it was given.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct GivenCushion {
+    /// k_w \[N/m\].
+    pub stiffness_n_m: Option<f64>,
+    /// ζ_w = c_w/(2√(k_w m)).
+    pub damping_ratio: Option<f64>,
+}
+
+impl GivenCushion {
+    /// k_w and ζ_w of the softest and least damped wall that may stand beside an object with edges of this stiffness, and of
+    /// the stiffest and most damped one; `None`: both were given.
+    pub fn ends(&self, edge_n_m: f64) -> Option<[(f64, f64); 2]> {
+        let ((soft, stiff), (least, most)) = (WALL_STIFFNESS_RATIO, WALL_DAMPING_RATIO);
+        let of = |stiffness_ratio: f64, damping_ratio: f64| {
+            (
+                self.stiffness_n_m.unwrap_or(stiffness_ratio * edge_n_m),
+                self.damping_ratio.unwrap_or(damping_ratio),
+            )
+        };
+        let is_open = self.stiffness_n_m.is_none() || self.damping_ratio.is_none();
+        is_open.then(|| [of(soft, least), of(stiff, most)])
+    }
+}
+
+/// What an object does beside a wall: k_w over the stiffness of an edge and ζ_w, how it ends and its largest tilt \[rad\].
+pub(crate) type Ended = ((f64, f64), &'static str, f64);
+
+/// What an object does beside the softest and least damped wall that may stand there and beside the stiffest and most
+/// damped one.
+pub(crate) fn ends_warning(ends: [Ended; 2]) -> String {
+    let of = |((stiffness_ratio, damping_ratio), outcome, tilt_rad): Ended| {
+        format!(
+            "with {} times the stiffness of an edge and {} % of damping the outcome is {outcome}, the largest tilt {} rad",
+            number(stiffness_ratio, 3),
+            number(100.0 * damping_ratio, 2),
+            number(tilt_rad, 3)
+        )
+    };
+    let [soft, stiff] = ends.map(of);
+    format!("the cushion of the walls is assumed: {soft}; {stiff}")
 }
 
 /// A wall that cannot be used, with what to do about it.

@@ -60,6 +60,9 @@ request! { question
         /// Walls beside it.
         #[command(flatten)]
         pub walls: Walls,
+        /// Damping ratio of the cushion of the walls, on a compliant base or of a shape [default: that under an edge]
+        #[arg(long, value_name = "RATIO", help_heading = "Walls beside the object")]
+        pub wall_damping: Option<Written>,
         /// What it stands on.
         #[command(flatten)]
         pub on: Base,

@@ -1,5 +1,7 @@
 //! What a request means: the object with the solver that follows it, in SI, and its motions.
 
+use std::f64::consts::PI;
+
 use freestand::block::Block;
 use freestand::compliant::CompliantBase;
 use freestand::motion::Motion;
@@ -19,6 +21,7 @@ use freestand_study::recorded::Second;
 use freestand_study::rock::{RockRequest, until};
 use freestand_study::sliding::{Contact, SlideRequest, StopShock};
 use freestand_study::spatial::{SpatialRequest, StackRequest, interface, shape, walls_on_cushions};
+use freestand_study::walls::{GivenCushion, needs_a_gap};
 
 use super::{BASES, BaseName, Rock};
 use crate::files::Files;
@@ -128,6 +131,17 @@ impl Kind {
             _ if is_of_cushions && !on_cushions && !self.is_body() => (
                 only("a compliant base"),
                 "add `base = \"compliant\"`, or leave it out",
+            ),
+            "wall_height" if self.is_body() => {
+                (not(), "leave it out: the wall is taller than the object")
+            }
+            "wall_restitution" if self.is_body() => (
+                only("a rigid base"),
+                "leave it out: on the hull, what an impact at a wall returns follows from `wall_stiffness` and `wall_damping`",
+            ),
+            "wall_damping" if self == Self::Rigid => (
+                only("a compliant base or a shape"),
+                "leave it out, or give `wall_restitution`",
             ),
             "wall_restitution" if on_cushions => (
                 only("a rigid base"),
@@ -314,12 +328,35 @@ impl Reader<'_, '_> {
             let why = "one history has the scan as it was measured; a verdict draws its error";
             self.read.idle(&["scan_error"], why);
         }
+        // The wall on the left is behind it, on its −x.
+        let read = &mut self.read;
+        let gaps = [("wall_gap_left", PI), ("wall_gap_right", 0.0)];
+        let walls = gaps.map(|(key, toward_rad)| {
+            Some((toward_rad, read.non_negative(key, Dimension::Length)?))
+        });
+        let stiffness_n_m = read.positive("wall_stiffness", Dimension::Stiffness);
+        if stiffness_n_m.is_some() && mass_kg.is_none() {
+            read.missing(
+                &["mass"],
+                "the stiffness of the walls counts beside the mass of the object, which is missing",
+                "add `mass`, or leave `wall_stiffness` out",
+            );
+        }
+        if stiffness_n_m.is_some() && walls == [None; 2] {
+            read.problems.push(needs_a_gap().of(&["wall_gap_left"]));
+        }
+        let wall_cushion = GivenCushion {
+            stiffness_n_m,
+            damping_ratio: self.wall_damping(),
+        };
         if is_still {
             self.nothing_moves("give `motion`");
         }
         Some(Asked::Hull(HullRequest {
             body: body?,
             contact: contact?,
+            walls: walls.into_iter().flatten().collect(),
+            wall_cushion,
             motions: [None, None],
             vertical: None,
             orientation_rad: orientation.unwrap_or(0.0),
@@ -341,6 +378,7 @@ impl Reader<'_, '_> {
             "wall_gap_right",
             "wall_height",
             "wall_stiffness",
+            "wall_damping",
         ]);
         if is_compliant {
             let kind = match (stack, in_space, at_wall) {
@@ -628,8 +666,13 @@ impl Reader<'_, '_> {
             .size
             .and_then(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok());
         let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, None);
+        let damping_ratio = self.wall_damping();
         let (mass_kg, edge, support) = support?;
-        let walls = walls_on_cushions(&walls, wall.stiffness_n_m, &support.cushion, mass_kg);
+        let wall_cushion = GivenCushion {
+            stiffness_n_m: wall.stiffness_n_m,
+            damping_ratio,
+        };
+        let walls = walls_on_cushions(&walls, wall_cushion, &support.cushion, mass_kg);
         let walls = self
             .read
             .problems
@@ -642,6 +685,7 @@ impl Reader<'_, '_> {
                 walls: walls?,
             },
             edge,
+            wall_cushion,
             motions: [None, None],
             vertical: None,
             orientation_rad: orientation.unwrap_or(0.0),
@@ -651,6 +695,17 @@ impl Reader<'_, '_> {
                 ..HistoryOptions::default()
             },
         }))
+    }
+
+    /// ζ_w of walls beside the object.
+    fn wall_damping(&mut self) -> Option<f64> {
+        let is_beside = self.read.has("wall_gap_left") || self.read.has("wall_gap_right");
+        if self.read.has("wall_damping") && !is_beside {
+            self.read
+                .problems
+                .push(needs_a_gap().of(&["wall_gap_left"]));
+        }
+        self.read.non_negative("wall_damping", Dimension::Ratio)
     }
 
     fn stack(&mut self, object: &Object, is_still: bool) -> Option<Asked> {

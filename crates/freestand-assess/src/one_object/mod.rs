@@ -353,7 +353,10 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
         problems.push(Problem::value(message, hint).of(keys));
     };
     if let Some(body) = body {
-        let is_alone = !surroundings.has_wall()
+        let is_low = surroundings
+            .wall_height_m
+            .is_some_and(|wall_m| wall_m < *height_m);
+        let is_alone = !(surroundings.has_wall() && is_low)
             && surroundings.upper.is_none()
             && surroundings.casters.is_none();
         if !is_alone || rests_on.is_some() || tolerance.is_some() {
@@ -361,10 +364,10 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
             note(
                 &["shape", "scan", "feet"],
                 &format!(
-                    "an object of this shape ({shape}) is followed on a stiff floor, with nothing beside, under or on it, \
-                     and without its shock"
+                    "an object of this shape ({shape}) is followed on a stiff floor, with nothing under or on it, no wall lower \
+                     than it, and without its shock"
                 ),
-                "leave out walls, neighbours, casters, what stands on it, `on` and `tolerance`, or describe it as a box",
+                "leave out `wall_height`, casters, what stands on it, `on` and `tolerance`, or describe it as a box",
             );
         }
     } else if thickness_m > height_m {

@@ -19,7 +19,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
             .as_ref()
             .is_some_and(|capacity| match trial.subject.way {
                 Way::Rolls(_) | Way::Slides(_) => stop_is_known(trial),
-                Way::Hull(_) => !capacity.needs_shock(),
+                Way::Hull(..) => !capacity.needs_shock(),
                 Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
                     trial.subject.body.is_some() || !capacity.needs_shock()
                 }
@@ -74,7 +74,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
 /// as many as [`MILD_HIGH`]; one that falls in any is left only where half of them are accepted.
 fn too_mild(trial: &Trial) -> Option<TooMild> {
     let accepted = trial.member.accepted_ratio;
-    let is_bounded = matches!(trial.subject.way, Way::Hull(_))
+    let is_bounded = matches!(trial.subject.way, Way::Hull(..))
         && trial.subject.too_mild != Some(TooMild::UnseenBase)
         && accepted > MILD_HIGH
         && (accepted >= 0.5 || !trial.falls_at_all());

@@ -27,7 +27,7 @@ use super::object::{Body, Model, Way, hit};
 use super::on_pads::on_pads;
 use super::over_worlds::{quantile, quantiles, share};
 use super::response::{
-    AxisMotion, Lived, PadMotion, Strike, demand_capacity, governing, lifts, overturned,
+    AxisMotion, Lived, PadMotion, demand_capacity, governing, lifts, overturned,
     pads_demand_capacity, ranked,
 };
 use super::slip::needed_ratio;
@@ -132,7 +132,8 @@ pub(super) fn assessment(
                 followed: trial.followed().count() as u32,
             });
         }
-        if context.study.assessment.compliant && trial.subject.body.is_some() {
+        let is_rigid = matches!(trial.subject.way, Way::Walled(_));
+        if is_rigid && context.study.assessment.compliant && trial.subject.body.is_some() {
             assessed.why.push(Reason::PadsNotFollowed);
         }
         assessed.notes.extend(unknown_wall_shock(trial, at_wall));
@@ -174,7 +175,7 @@ pub(super) fn assessment(
         Way::Planar => ObjectModel::Rock,
         Way::Spatial(_) => ObjectModel::Spatial,
         Way::Stack(_) => ObjectModel::Stack,
-        Way::Hull(_) => ObjectModel::Hull,
+        Way::Hull(..) => ObjectModel::Hull,
     });
     assessed.in_space = in_space(trial);
     if assessed.in_space.is_some() {
@@ -246,30 +247,19 @@ pub(super) fn assessment(
 fn at_wall(trial: &Trial) -> Option<AtWall> {
     let beside = trial.subject.way.walls()?;
     trial.followed().next()?;
-    let strikes = |number: fn(&Strike) -> f64| {
-        let most = |axes: &[AxisMotion]| {
-            axes.iter()
-                .filter_map(|one| one.strike().map(number))
-                .fold(0.0, f64::max)
-        };
+    let median = |of: fn(&AxisMotion) -> Option<f64>| {
+        let most = |axes: &[AxisMotion]| axes.iter().filter_map(of).fold(0.0, f64::max);
         quantile(trial.followed().map(|(_, axes)| most(axes)), 0.5)
     };
-    let is_known = trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
+    let has_shock = !matches!(trial.subject.way, Way::Hull(..));
+    let is_known = has_shock && trial.subject.mass_kg.is_some() && beside.stiffness_n_m.is_some();
+    let strikes = |axes: &[AxisMotion]| axes.iter().any(|one| one.wall_speed_m_s().is_some());
     Some(AtWall {
         lean_share: share(trial.leans()),
-        strike_share: share(
-            trial
-                .followed()
-                .map(|(_, axes)| axes.iter().any(|one| one.strike().is_some())),
-        ),
-        speed_m_s_median: strikes(|strike| strike.speed_m_s),
-        acceleration_g_median: is_known.then(|| {
-            strikes(|strike| {
-                strike
-                    .acceleration_m_s2
-                    .map_or(0.0, |shock| shock / G0_M_S2)
-            })
-        }),
+        strike_share: share(trial.followed().map(|(_, axes)| strikes(axes))),
+        speed_m_s_median: median(AxisMotion::wall_speed_m_s),
+        acceleration_g_median: is_known
+            .then(|| median(|one| Some(one.wall_acceleration_m_s2()? / G0_M_S2))),
     })
 }
 

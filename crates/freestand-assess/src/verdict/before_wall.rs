@@ -8,7 +8,7 @@ use freestand_study::study::assessment::WallUse;
 
 use super::Context;
 use super::draw::Change;
-use super::object::Model;
+use super::object::{Model, Way};
 use super::trial::{Question, Trial, grouped, lived_in};
 
 /// Touching, and about the depth of a skirting board with what hangs down behind an object \[m\].
@@ -63,6 +63,8 @@ fn is_wanted(context: &Context, trial: &Trial, found: &Assessment) -> bool {
         && !has_wall
         // A wall does not make a round object a square one.
         && trial.member.item.shape == ItemShape::Block
+        // Beside a wall it is followed on a rigid base.
+        && !matches!(trial.subject.way, Way::Hull(..))
         && trial.subject.way.rocks()
         && trial.subject.way.asks(Model::Rigid)
         && context.study.assessment.walls == WallUse::AsListed

@@ -211,7 +211,7 @@ mod tests {
         let falls = |too_mild| [Below, Open, Above].map(|side| FallsAnswer::of(side, too_mild));
         let [stays, close, fall] = [FallsAnswer::Stays, FallsAnswer::Close, FallsAnswer::Falls];
         assert_eq!(falls(None), [stays, close, fall]);
-        for why in [TooMild::Round, TooMild::FeetPassWall] {
+        for why in [TooMild::Round, TooMild::OnHull] {
             assert_eq!(falls(Some(why)), [close, close, fall]);
         }
         let shock = |is_known| {

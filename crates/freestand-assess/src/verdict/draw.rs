@@ -11,7 +11,7 @@ use freestand::rocking::Restitution;
 use freestand::wall::Walls;
 use freestand::worlds::{
     Group, WallDraw, is_first_side_along_x, object_stream, restitution_at, restitution_draw,
-    wall_draw, wall_restitution_at,
+    wall_cushion_at, wall_draw, wall_restitution_at,
 };
 use sha2::{Digest, Sha256};
 
@@ -248,7 +248,7 @@ pub(super) fn draw(
         }
     });
 
-    let hull = matches!(subject.way, Way::Hull(_)).then(|| {
+    let hull = matches!(subject.way, Way::Hull(..)).then(|| {
         let of_body = |low: f64, high: f64| uniform_draw(&mut random, low, high);
         HullDraw::new(settings, object, world, change, of_body)
     });
@@ -277,26 +277,27 @@ pub(super) fn draw(
     }
 }
 
-/// Restitution at the wall is one of the restitutions: what an answer depends on counts both
-/// together.
+/// Restitution at the wall is one of the restitutions, and its cushion is one of the pads: what an answer depends on
+/// counts them together.
 fn wall(settings: &Settings, object: u64, world: u32, change: Change) -> WallDraw {
-    let drawn = wall_draw(
+    let mut drawn = wall_draw(
         settings.seed,
         world,
         object,
         change.repetition(Group::Restitution),
+        change.repetition(Group::Pad),
     );
-    match change.normal(Group::Restitution) {
-        Some(normal) => {
-            let restitution_ratio =
-                wall_restitution_at(lognormal_probability(normal.exp(), 1.0, 1.0));
-            WallDraw {
-                restitution_ratio,
-                ..drawn
-            }
-        }
-        None => drawn,
+    let share = |group| {
+        let normal = change.normal(group)?;
+        Some(lognormal_probability(f64::exp(normal), 1.0, 1.0))
+    };
+    if let Some(share) = share(Group::Restitution) {
+        drawn.restitution_ratio = wall_restitution_at(share);
     }
+    if let Some(share) = share(Group::Pad) {
+        (drawn.stiffness_ratio, drawn.damping_ratio) = wall_cushion_at(share);
+    }
+    drawn
 }
 
 /// The restitution of the unchanged block, about which it is drawn: so an uncertain height does not
@@ -379,20 +380,15 @@ impl Draw {
     pub(super) fn damped_body(&self, subject: &Subject) -> Option<(f64, Cushion)> {
         let (mass_kg, cushion) = self.body(subject)?;
         // A law that is not a spring brings its own damping.
-        let damped = cushion
-            .linear_stiffness_n_m()
-            .and_then(|stiffness_n_m| self.damped(stiffness_n_m, mass_kg));
+        let damped = cushion.linear_stiffness_n_m().and_then(|stiffness_n_m| {
+            let damping_n_s_m = self.pad_damping_n_s_m(stiffness_n_m, mass_kg);
+            let law = ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            };
+            Cushion::new(law).ok()
+        });
         Some((mass_kg, damped.unwrap_or(cushion)))
-    }
-
-    /// A spring with the damping ratio of the pads.
-    pub(super) fn damped(&self, stiffness_n_m: f64, mass_kg: f64) -> Option<Cushion> {
-        let damping_n_s_m = self.pad_damping_n_s_m(stiffness_n_m, mass_kg);
-        Cushion::new(ContactLaw::KelvinVoigt {
-            stiffness_n_m,
-            damping_n_s_m,
-        })
-        .ok()
     }
 
     /// Height and side in the plane of an axis \[m\].

@@ -213,8 +213,8 @@ fn history(
     let draw = &lived.draw;
     let one = Drawn { subject, draw };
     let floor = context.worlds.floor(world, subject.level_ratio)?;
-    if let Way::Hull(body) = &subject.way {
-        let Some(on) = one.on_hull(body) else {
+    if let Way::Hull(body, beside) = &subject.way {
+        let Some(on) = one.on_hull(body, beside.as_ref()) else {
             return Ok(None);
         };
         let shaking = floor.shaking();

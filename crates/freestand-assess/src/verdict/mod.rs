@@ -28,6 +28,7 @@ mod response;
 mod shares;
 mod slip;
 mod softer;
+mod stiff_floor;
 mod tally;
 mod trial;
 
@@ -194,6 +195,7 @@ fn lived<'a>(context: &Context, members: &'a [Member<'a>]) -> Result<Vec<Trial<'
         .map(|member| Trial::new(context, member, member.subject.clone()))
         .collect();
     trial::live(context, &mut trials)?;
+    stiff_floor::check(context, &mut trials)?;
     Ok(trials)
 }
 

@@ -13,7 +13,7 @@ use freestand::respond::Outcome;
 use freestand::rocking::{Outcome as Rocking, Restitution, RockingModel, SideExtremes};
 use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
-use freestand::worlds::{Group, WallDraw, wall_draw};
+use freestand::worlds::{Group, WallDraw, wall_cushion_at, wall_draw};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
@@ -336,9 +336,12 @@ impl Nominal {
         rotation_ratio: Option<f64>,
     ) -> Vec<Result<NominalRun, String>> {
         // As in an assessment, with the usual restitution where the list gives none.
+        let (stiffness_ratio, damping_ratio) = wall_cushion_at(0.5);
         let side = |_| WallDraw {
+            is_on_left: wall_draw(self.seed, world, self.key, 0, 0).is_on_left,
             restitution_ratio: DEFAULT_WALL_RESTITUTION_RATIO,
-            ..wall_draw(self.seed, world, self.key, 0)
+            stiffness_ratio,
+            damping_ratio,
         };
         let mut draw = self.draw;
         draw.wall = draw.wall.map(side);

@@ -1,7 +1,7 @@
 //! What there is to know of an object besides its decision.
 
 use crate::reason::{Note, WithoutPads};
-use crate::result::{AtWall, Decision, TooMild};
+use crate::result::{AtWall, Decision};
 use freestand_input::problem::Problems;
 
 use super::Context;
@@ -19,15 +19,12 @@ pub(super) fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<Note>,
             if floor.motion.across.is_none() {
                 notes.push(Note::OneComponent);
             }
-            if trial.subject.too_mild == Some(TooMild::FeetPassWall) {
-                notes.push(Note::FeetPassWall);
-            }
             if beside.is_some() && trial.subject.capacity.is_some() {
                 notes.push(Note::WallShockNotCompared);
             }
         }
         Way::Stack(_) => notes.push(Note::StackInPlane),
-        Way::Hull(_) => notes.push(Note::OnHull),
+        Way::Hull(..) => notes.push(Note::OnHull),
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)

@@ -68,8 +68,8 @@ pub(super) enum Way {
     Spatial(Option<Beside>),
     /// With another body on it, in the plane of the thickness, both on pads.
     Stack(Upper),
-    /// In three dimensions on the points of its hull, on a stiff floor.
-    Hull(Arc<BodyInPose>),
+    /// In three dimensions on the points of its hull, on a stiff floor, beside what it has within its reach.
+    Hull(Arc<BodyInPose>, Option<Beside>),
 }
 
 /// How far an object may slide where the list gives no clearance \[m\]: what stands beside furniture is
@@ -82,7 +82,7 @@ impl Way {
         match self {
             Self::Rolls(gliding) => gliding.clearance_m,
             Self::Slides(gliding) => Some(gliding.clearance_m.unwrap_or(SLIDING_ROOM_M)),
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(..) => {
                 None
             }
         }
@@ -93,7 +93,7 @@ impl Way {
         match self {
             Self::Planar => true,
             // Beside a wall, on casters and while it slides its pads are not followed.
-            Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) | Self::Hull(_) => {
+            Self::Walled(_) | Self::Rolls(_) | Self::Slides(_) | Self::Hull(..) => {
                 model == Model::Rigid
             }
             Self::Spatial(_) | Self::Stack(_) => model == Model::Pads,
@@ -102,13 +102,13 @@ impl Way {
 
     /// Whether its histories are followed one by one, and take long.
     pub(super) fn is_slow(&self) -> bool {
-        matches!(self, Self::Spatial(_) | Self::Stack(_) | Self::Hull(_))
+        matches!(self, Self::Spatial(_) | Self::Stack(_) | Self::Hull(..))
     }
 
     /// Whether it rocks and lands.
     pub(super) fn rocks(&self) -> bool {
         match self {
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(..) => {
                 true
             }
             Self::Rolls(_) | Self::Slides(_) => false,
@@ -118,13 +118,15 @@ impl Way {
     /// What stands beside it and counts.
     pub(super) fn walls(&self) -> Option<&Beside> {
         match self {
-            Self::Walled(beside) | Self::Spatial(Some(beside)) => Some(beside),
+            Self::Walled(beside) | Self::Spatial(Some(beside)) | Self::Hull(_, Some(beside)) => {
+                Some(beside)
+            }
             Self::Planar
             | Self::Rolls(_)
             | Self::Slides(_)
             | Self::Spatial(None)
             | Self::Stack(_)
-            | Self::Hull(_) => None,
+            | Self::Hull(_, None) => None,
         }
     }
 
@@ -132,7 +134,7 @@ impl Way {
     pub(super) fn glides(&self) -> Option<&Gliding> {
         match self {
             Self::Rolls(gliding) | Self::Slides(gliding) => Some(gliding),
-            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(_) => {
+            Self::Planar | Self::Walled(_) | Self::Spatial(_) | Self::Stack(_) | Self::Hull(..) => {
                 None
             }
         }
@@ -142,6 +144,9 @@ impl Way {
 /// Friction under a body on its hull where the list gives none, lowest and highest: as for the tests on a
 /// shake table.
 pub const HULL_FRICTION_RATIO: (f64, f64) = (0.4, 0.8);
+
+/// An object nearer to a wall than this touches it: its back is not flat to a centimetre \[m\].
+const TOUCHING_M: f64 = 0.01;
 
 /// The body that stands on an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -248,7 +253,7 @@ pub(super) struct Beside {
     /// Behind it, in the direction of the thickness \[m\].
     pub(super) wall_gap_m: Option<f64>,
     /// On both sides of it, in the direction of the width \[m\].
-    neighbour_gap_m: Option<f64>,
+    pub(super) neighbour_gap_m: Option<f64>,
     pub(super) height_m: Option<f64>,
     /// `None`: drawn in each world.
     restitution_ratio: Option<f64>,
@@ -306,11 +311,23 @@ impl Beside {
         }
     }
 
+    /// Whether the object touches any of it.
+    fn touches(&self) -> bool {
+        let gaps_m = [self.wall_gap_m, self.neighbour_gap_m];
+        gaps_m.into_iter().flatten().any(|gap_m| gap_m < TOUCHING_M)
+    }
+
+    fn is_lower_than(&self, height_m: f64) -> bool {
+        self.height_m.is_some_and(|wall_m| wall_m < height_m)
+    }
+
     /// Whether the object can touch any of it.
     fn is_within_reach(&self, axes: &[AxisGeometry]) -> bool {
         let any = WallDraw {
             is_on_left: true,
             restitution_ratio: 0.0,
+            stiffness_ratio: 1.0,
+            damping_ratio: 0.0,
         };
         axes.iter().any(|one| {
             let contacts = self.walls(one.axis, &any).contacts(&one.block);
@@ -390,7 +407,7 @@ impl Subject {
     /// The same with the middle of its friction in place of the range, where numbers depend on it.
     pub(crate) fn with_middle_friction(self, settings: &Settings) -> Self {
         match self.way {
-            Way::Spatial(_) | Way::Stack(_) | Way::Hull(_) => {
+            Way::Spatial(_) | Way::Stack(_) | Way::Hull(..) => {
                 let friction = self.drawn_friction_ratio(settings).map_or(0.0, middle);
                 Self {
                     friction_ratio: Some((friction, friction)),
@@ -408,13 +425,13 @@ impl Subject {
             Way::Spatial(_) | Way::Stack(_) => {
                 Some(self.friction_ratio.unwrap_or(settings.friction_ratio))
             }
-            Way::Hull(_) => Some(self.friction_ratio.unwrap_or(HULL_FRICTION_RATIO)),
+            Way::Hull(..) => Some(self.friction_ratio.unwrap_or(HULL_FRICTION_RATIO)),
             // An assumed friction changes no number.
             Way::Planar | Way::Walled(_) => self.friction_ratio,
         }
     }
 
-    /// The same object on the points of its hull.
+    /// The same object on the points of its hull, beside what it has within its reach.
     pub(crate) fn on_hull(mut self, body: Arc<BodyInPose>) -> Self {
         self.axes.truncate(1);
         // Its pads are not followed.
@@ -426,8 +443,46 @@ impl Subject {
             _ => TooMild::OnHull,
         });
         self.flat = None;
-        self.way = Way::Hull(body);
+        self.way = Way::Hull(body, self.way.walls().copied());
         self
+    }
+
+    /// A box that touches a wall, on the points of its hull; `None`: it does not, or the wall is too low for that.
+    pub(super) fn on_stiff_floor(&self, item: &Item) -> Option<Self> {
+        let Way::Walled(beside) = &self.way else {
+            return None;
+        };
+        let thickness = self.axes.first()?;
+        let height_m = thickness.height_m;
+        if !beside.touches() || item.is_round() || beside.is_lower_than(height_m) {
+            return None;
+        }
+        // Where the width is not known, it does not rock along it: as in the plane.
+        let width = self.axes.get(1);
+        let sides_m = [
+            thickness.side_m,
+            width.map_or(height_m, |width| width.side_m),
+        ];
+        let base_m = [
+            thickness.base_m.unwrap_or(sides_m[0]),
+            width.and_then(|width| width.base_m).unwrap_or(sides_m[1]),
+        ];
+        let corners_m = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
+            .map(|(x, y)| [0.5 * x * base_m[0], 0.5 * y * base_m[1]]);
+        let (outline, mass_kg) = (Outline::Box(sides_m), self.mass_kg.unwrap_or(1.0));
+        let feet_m = (base_m != sides_m).then_some(&corners_m[..]);
+        let (body, volume_m3) =
+            upright(&outline, height_m, mass_kg, thickness.cg_height_m, feet_m).ok()?;
+        let kind = BodyKind::Box;
+        let body = BodyInPose::new(&body, kind, volume_m3, false, self.mass_kg, 1, 0.0).ok()?;
+        Some(Self {
+            way: Way::Hull(Arc::new(body), Some(*beside)),
+            axes: vec![*thickness],
+            body: None,
+            capacity: None,
+            too_mild: None,
+            ..self.clone()
+        })
     }
 
     /// The same object with a wall at this gap behind it.
@@ -515,8 +570,16 @@ impl Subject {
                 (None, why) => (beside.map_or(Way::Planar, |beside| beside.way(&axes)), why),
             },
         };
+        // Walls on the hull are taller than the object.
+        let has_low_wall = way
+            .walls()
+            .is_some_and(|beside| beside.is_lower_than(height_m));
+        let way = match item.shape {
+            ItemShape::Body(_) if has_low_wall => Way::Planar,
+            _ => way,
+        };
         let on_hull = match (&way, &item.shape) {
-            (Way::Planar | Way::Spatial(None), ItemShape::Round) => {
+            (Way::Planar | Way::Walled(_) | Way::Spatial(_), ItemShape::Round) if !has_low_wall => {
                 // Feet of a round base are on a circle.
                 let diameter_m = item.base_thickness_m.unwrap_or(thickness_m);
                 round_body(height_m, diameter_m, item.cg_height_m, item.mass_kg).map(Arc::new)
@@ -525,11 +588,7 @@ impl Subject {
             (_, ItemShape::Body(body)) => Some(Arc::clone(body)),
             _ => None,
         };
-        let too_mild = match way {
-            _ if item.is_round() => Some(TooMild::Round),
-            Way::Spatial(Some(_)) => Some(TooMild::FeetPassWall),
-            _ => None,
-        };
+        let too_mild = item.is_round().then_some(TooMild::Round);
         let subject = Self {
             level_ratio,
             axes,

@@ -78,12 +78,12 @@ fn outcome<'a>(
         id: &trial.member.item.id,
         world,
         model: match model {
-            Model::Rigid if matches!(trial.subject.way, Way::Hull(_)) => "hull-3d",
+            Model::Rigid if matches!(trial.subject.way, Way::Hull(..)) => "hull-3d",
             Model::Rigid => "rigid",
             Model::Pads => match trial.subject.way {
                 Way::Spatial(_) => "compliant-3d",
                 Way::Stack(_) => "stack",
-                Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(_) => {
+                Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(..) => {
                     "compliant"
                 }
             },

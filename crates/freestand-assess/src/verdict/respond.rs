@@ -2,11 +2,13 @@
 //! what its response means in its world. [`Way`] decides how it is followed; an object in a plane is
 //! followed about both of its axes, and the worse one counts.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
+use freestand::cushion::{ContactLaw, Cushion};
 use freestand::hull::shake::Contact;
+use freestand::hull::wall::HullWall;
 use freestand::respond::{
     Glide, Glider, Object, OnHull, Outcome, Pads, Plane, Planes, Response, RigidPlane, Settings,
     Shaking, Springs, respond,
@@ -34,7 +36,10 @@ impl Drawn<'_> {
         let object = match &subject.way {
             Way::Rolls(gliding) => self.glider(gliding).map(Object::Rolls),
             Way::Slides(gliding) => self.glider(gliding).map(Object::Slides),
-            Way::Hull(body) => self.on_hull(body).map(|on| Object::Hull(Box::new(on))),
+            Way::Hull(body, beside) => {
+                let on = self.on_hull(body, beside.as_ref());
+                on.map(|on| Object::Hull(Box::new(on)))
+            }
             Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) => {
                 let plane = |axis| self.rigid_plane(axis);
                 self.about_axes(plane).map(Object::Rigid)
@@ -64,7 +69,7 @@ impl Drawn<'_> {
                 object.map(|object| Object::Spatial(object, along))
             }
             Way::Stack(upper) => self.stack(upper).map(|stack| Object::Stack(stack, along)),
-            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(_) => {
+            Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) | Way::Hull(..) => {
                 self.in_planes(friction_ratio)
             }
         };
@@ -119,7 +124,7 @@ impl Drawn<'_> {
         let pose = body.standing.scaled([side, side, height], 1.0);
         let pose = pose.pose();
         let cg_ratio = self.draw.hull.map_or(0.0, |drawn| drawn.cg_ratio);
-        let up_m = match body.kind.is_scan() {
+        let up_m = match body.kind.is_scan() && !body.is_cg_stated {
             true => cg_ratio * pose.cg_height_m,
             false => 0.0,
         };
@@ -129,7 +134,7 @@ impl Drawn<'_> {
         }
     }
 
-    pub(super) fn on_hull(self, body: &BodyInPose) -> Option<OnHull> {
+    pub(super) fn on_hull(self, body: &BodyInPose, beside: Option<&Beside>) -> Option<OnHull> {
         let drawn = self.draw.hull?;
         let (height, side) = self.draw.factors();
         let mut standing = body.standing.scaled([side, side, height], self.draw.mass());
@@ -151,13 +156,37 @@ impl Drawn<'_> {
             };
             standing = standing.uneven(up_m, waves);
         }
+        let contact = Contact {
+            friction_ratio: self.draw.friction_ratio?,
+            sinking_m: drawn.contact.sinking_m * body.sinking_ratio(),
+            ..drawn.contact
+        };
+        let beside = beside.zip(self.draw.wall.as_ref());
+        let walls = beside.map(|(beside, drawn)| {
+            let edge_n_m = contact.edge_n_m(standing.mass_kg(), G0_M_S2);
+            // What is given applies to the mass of the object alone.
+            let stated = beside
+                .stiffness_n_m
+                .filter(|_| self.subject.mass_kg.is_some());
+            let wall = |(toward_rad, gap_m): (f64, Option<f64>)| {
+                Some(HullWall {
+                    toward_rad,
+                    gap_m: gap_m?,
+                    stiffness_n_m: stated.unwrap_or(drawn.stiffness_ratio * edge_n_m),
+                    damping_ratio: drawn.damping_ratio,
+                })
+            };
+            let behind = if drawn.is_on_left { PI } else { 0.0 };
+            let all = [
+                (behind, beside.wall_gap_m),
+                (FRAC_PI_2, beside.neighbour_gap_m),
+                (-FRAC_PI_2, beside.neighbour_gap_m),
+            ];
+            all.into_iter().filter_map(wall).collect()
+        });
         Some(OnHull {
-            body: standing,
-            contact: Contact {
-                friction_ratio: self.draw.friction_ratio?,
-                sinking_m: drawn.contact.sinking_m * body.sinking_ratio(),
-                ..drawn.contact
-            },
+            body: standing.beside(walls.unwrap_or_default()),
+            contact,
             yaw_rad: self.draw.yaw_rad,
         })
     }
@@ -192,14 +221,14 @@ impl Drawn<'_> {
                 height_m,
             },
             mass_kg,
+            walls: beside
+                .into_iter()
+                .flat_map(|beside| walls(beside, draw, mass_kg, &cushion))
+                .collect(),
             support: Support {
                 friction_ratio: draw.friction_ratio,
                 ..Support::new(cushion)
             },
-            walls: beside
-                .into_iter()
-                .flat_map(|beside| walls(beside, draw, mass_kg))
-                .collect(),
         })
     }
 
@@ -309,25 +338,118 @@ pub(super) fn responses<'a>(
         .collect()
 }
 
-/// The wall behind it, on the side that was drawn.
-fn walls(beside: &Beside, draw: &Draw, mass_kg: f64) -> Vec<Wall> {
+/// The wall behind an object on its pads, on the side and with the cushion that were drawn.
+fn walls(beside: &Beside, draw: &Draw, mass_kg: f64, pad: &Cushion) -> Vec<Wall> {
     let Some(drawn) = &draw.wall else {
         return Vec::new();
     };
     let walls = beside.walls(Axis::Thickness, drawn);
+    let edge_n_m = pad.tangent_stiffness_n_m(pad.static_compression_m(0.5 * mass_kg * G0_M_S2));
+    let stiffness_n_m = beside
+        .stiffness_n_m
+        .unwrap_or(drawn.stiffness_ratio * edge_n_m);
+    let law = ContactLaw::KelvinVoigt {
+        stiffness_n_m,
+        damping_n_s_m: 2.0 * drawn.damping_ratio * (stiffness_n_m * mass_kg).sqrt(),
+    };
+    let cushion = Cushion::new(law).ok();
     let wall = |(side, wall): (EdgeSide, Option<freestand::wall::Wall>)| {
         let wall = wall?;
         Some(Wall {
             side,
             gap_m: wall.gap_m,
             height_m: wall.height_m.unwrap_or(f64::INFINITY),
-            cushion: beside
-                .stiffness_n_m
-                .and_then(|stiffness_n_m| draw.damped(stiffness_n_m, mass_kg)),
+            cushion: cushion.clone(),
         })
     };
     [(EdgeSide::Left, walls.left), (EdgeSide::Right, walls.right)]
         .into_iter()
         .filter_map(wall)
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use freestand_inventory::library::Libraries;
+    use freestand_inventory::{ReadOptions, read_inventory};
+    use freestand_study::study::assessment::{Dimensions, Settings};
+
+    use super::super::draw::{Change, draw, key};
+    use super::super::object::Subject;
+    use super::*;
+
+    /// A wall has the stiffness and the damping that were drawn, in three dimensions on pads and on the hull; what the list
+    /// gives is not drawn.
+    #[test]
+    fn walls_have_the_cushions_that_were_drawn() {
+        let list = "id,level_ratio,height [mm],thickness [mm],width [mm],mass [kg],stiffness [N/mm],shape,\
+                    wall_gap [mm],wall_stiffness [N/mm]\n\
+                    shelf,0,1760,465,800,113,4380,,50,\nstated,0,1760,465,800,113,4380,,0,9000\n\
+                    urn,0,1200,300,,40,,cylinder,20,\n";
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("list.csv");
+        std::fs::write(&path, list).unwrap();
+        let libraries = Libraries::with_files(None, None).unwrap();
+        let read = libraries.looked_up(|lookup| read_inventory(&path, &ReadOptions::new(lookup)));
+        let settings = Settings {
+            dimensions: Dimensions::Three,
+            ..Settings::default()
+        };
+        for item in read.unwrap().items {
+            let subject = Subject::new(&item, &settings).unwrap();
+            for world in 0..3 {
+                let draw = draw(&settings, &subject, key(&item.id), world, Change::None);
+                let drawn = Drawn {
+                    subject: &subject,
+                    draw: &draw,
+                };
+                let wall = draw.wall.unwrap();
+                if item.is_round() {
+                    let Object::Hull(on) = drawn.on_rigid_base().unwrap() else {
+                        panic!("{} is followed on its hull", item.id)
+                    };
+                    let [found] = *on.body.walls() else {
+                        panic!("it has one wall")
+                    };
+                    // 2 m g/(3 δ): two points.
+                    let edge_n_m = 2.0 * on.body.mass_kg() * G0_M_S2 / (3.0 * on.contact.sinking_m);
+                    let ratio = found.stiffness_n_m / edge_n_m;
+                    assert!(
+                        (ratio / wall.stiffness_ratio - 1.0).abs() < 1e-12,
+                        "{found:?}"
+                    );
+                    assert_eq!(found.damping_ratio, wall.damping_ratio);
+                    assert_eq!(found.gap_m, 0.02);
+                    continue;
+                }
+                let Object::Spatial(object, _) = drawn.on_pads(None).unwrap() else {
+                    panic!("{} is followed in three dimensions", item.id)
+                };
+                let [found] = &object.walls[..] else {
+                    panic!("it has one wall")
+                };
+                let edge_n_m = 4.38e6 * draw.stiffness;
+                let expected_n_m = match &*item.id {
+                    "stated" => 9e6,
+                    _ => wall.stiffness_ratio * edge_n_m,
+                };
+                let ContactLaw::KelvinVoigt {
+                    stiffness_n_m,
+                    damping_n_s_m,
+                } = *found.cushion.as_ref().unwrap().law()
+                else {
+                    panic!("{found:?}")
+                };
+                let damping = damping_n_s_m / (2.0 * (stiffness_n_m * object.mass_kg).sqrt());
+                assert!(
+                    (stiffness_n_m / expected_n_m - 1.0).abs() < 1e-12,
+                    "{found:?}"
+                );
+                assert!(
+                    (damping / wall.damping_ratio - 1.0).abs() < 1e-12,
+                    "{found:?}"
+                );
+            }
+        }
+    }
 }

@@ -55,11 +55,24 @@ impl AxisMotion {
         }
     }
 
-    pub(super) fn strike(&self) -> Option<&Strike> {
+    fn strike(&self) -> Option<&Strike> {
         match &self.moved {
             Moved::Rocks { strike, .. } => strike.as_ref(),
             Moved::Glides(_) | Moved::OnHull(_) => None,
         }
+    }
+
+    /// Largest speed at a wall; `None`: it strikes none \[m/s\].
+    pub(super) fn wall_speed_m_s(&self) -> Option<f64> {
+        match &self.moved {
+            Moved::OnHull(body) => (body.wall_contacts > 0).then_some(body.wall_speed_m_s),
+            _ => self.strike().map(|strike| strike.speed_m_s),
+        }
+    }
+
+    /// Largest shock at a wall; `None`: it strikes none, or the shock is not known \[m/s²\].
+    pub(super) fn wall_acceleration_m_s2(&self) -> Option<f64> {
+        self.strike()?.acceleration_m_s2
     }
 
     /// 0 without a hit \[g\].
@@ -84,6 +97,7 @@ impl AxisMotion {
             Moved::Glides(_) => Rocking::NoUplift,
             Moved::OnHull(body) => match Outcome::on_hull(body) {
                 Outcome::Overturned => Rocking::Overturned,
+                Outcome::Leaned => Rocking::Leaned,
                 Outcome::Unresolved => Rocking::Unresolved,
                 Outcome::Rocked { .. } => Rocking::Rocked,
                 _ => Rocking::NoUplift,
@@ -124,9 +138,9 @@ impl AxisMotion {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Strike {
     /// v_w \[m/s\].
-    pub(super) speed_m_s: f64,
+    speed_m_s: f64,
     /// a_w; `None`: the mass of the object or the stiffness of the wall is not known \[m/s²\].
-    pub(super) acceleration_m_s2: Option<f64>,
+    acceleration_m_s2: Option<f64>,
     restitution_ratio: f64,
 }
 

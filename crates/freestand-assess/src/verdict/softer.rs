@@ -199,7 +199,7 @@ pub(super) fn beyond_pads(trial: &Trial) -> NoPad {
     match trial.subject.way {
         Way::Rolls(_) => return NoPad::Rolls,
         Way::Slides(_) => return NoPad::Slides,
-        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) | Way::Hull(_) => {}
+        Way::Planar | Way::Walled(_) | Way::Spatial(_) | Way::Stack(_) | Way::Hull(..) => {}
     }
     let Some(body) = &trial.subject.body else {
         return NoPad::NoPads;

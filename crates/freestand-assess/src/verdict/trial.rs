@@ -148,11 +148,15 @@ impl<'a> Trial<'a> {
             .collect();
         let found = Self::probability_of(context, &answers);
         // A fall counts in both questions.
-        let is_mild = matches!(self.subject.way, Way::Hull(_));
         Probability {
-            high: found.high.max(if is_mild { MILD_HIGH } else { 0.0 }),
+            high: found.high.max(if self.is_mild() { MILD_HIGH } else { 0.0 }),
             ..found
         }
+    }
+
+    /// Whether it is followed on its hull, and such bodies fell more often in tests.
+    fn is_mild(&self) -> bool {
+        matches!(self.subject.way, Way::Hull(..)) && self.subject.too_mild.is_some()
     }
 
     /// Whether it falls in any world on a rigid base.
@@ -281,8 +285,7 @@ impl<'a> Trial<'a> {
         let cannot_stay = self.member.accepted_ratio <= MILD_HIGH
             || self.subject.too_mild == Some(TooMild::UnseenBase)
             || self.falls_at_all();
-        let is_enough =
-            matches!(self.subject.way, Way::Hull(_)) && cannot_stay && self.worlds() >= HULL_WORLDS;
+        let is_enough = self.is_mild() && cannot_stay && self.worlds() >= HULL_WORLDS;
         self.is_done = is_answered || is_enough || slipped >= SLIPPING_WORLDS;
     }
 }

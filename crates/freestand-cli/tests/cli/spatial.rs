@@ -128,6 +128,16 @@ fn every_case_in_space() {
     assert!(cases.len() >= 8 && failures.is_empty(), "{failures:#?}");
 }
 
+/// The same beside a wall, which top and base strike.
+#[test]
+fn every_case_at_a_wall() {
+    let cases = cases_of(include_str!(
+        "../../../../validation/three-dimensions/walls.json"
+    ));
+    let failures = differences(&cases.iter().collect::<Vec<_>>());
+    assert!(!cases.is_empty() && failures.is_empty(), "{failures:#?}");
+}
+
 /// `validation/stacks`: either body, and both.
 #[test]
 fn every_case_of_stacks() {

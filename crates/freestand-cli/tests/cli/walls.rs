@@ -142,8 +142,8 @@ fn walls_that_make_no_sense_are_refused_with_a_hint() {
         "{restitution}"
     );
     assert!(
-        on_cushions(&["--wall-gap=1m", "--shape=cylinder"])
-            .contains("a cylinder at a wall is not modelled")
+        on_cushions(&["--wall-gap=1m", "--wall-height=1m", "--shape=cylinder"])
+            .contains("a cylinder at a wall lower than it is not modelled")
     );
     assert!(on_cushions(&["--wall-stiffness=400N/mm"]).contains("there is no wall"));
     assert!(
@@ -156,7 +156,9 @@ fn walls_that_make_no_sense_are_refused_with_a_hint() {
         "--wall-stiffness=9N/mm",
     ]);
     assert!(
-        power.contains("--wall-stiffness does not describe a cushion of the law"),
+        power.contains(
+            "--wall-stiffness or --wall-damping alone does not describe a cushion of the law"
+        ),
         "{power}"
     );
 }

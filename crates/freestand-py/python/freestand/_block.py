@@ -256,6 +256,8 @@ class Walls:
         Angular velocity after an impact on a wall divided by the one before, 0 to below 1.
     stiffness_n_m : float, optional
         At the point of contact [N/m]; with the mass it gives the shock there.
+    damping_ratio : float, optional
+        c/(2√(k m)) of the walls of an object on cushions; None: that under an edge.
 
     Examples
     --------
@@ -272,6 +274,8 @@ class Walls:
     restitution: float | None = None
     #: At the point of contact; with the mass it gives the shock there.
     stiffness_n_m: float | None = None
+    #: c/(2√(k m)) of the walls of an object on cushions; None: that under an edge.
+    damping_ratio: float | None = None
 
     def _asked(self) -> Given:
         keys = {"left_m": "wall_gap_left_m", "right_m": "wall_gap_right_m"}
@@ -284,6 +288,7 @@ class Walls:
             wall_height_m=self.height_m,
             wall_restitution=self.restitution,
             wall_stiffness_n_m=self.stiffness_n_m,
+            wall_damping=self.damping_ratio,
         )
 
 

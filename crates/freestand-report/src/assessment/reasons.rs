@@ -608,9 +608,6 @@ fn of_note(note: &Note, found: &Assessment) -> String {
         Note::OneComponent => {
             "Its floor moves in one direction only: the motions have one component.".to_owned()
         }
-        Note::FeetPassWall => {
-            "Its top and its face meet its wall, and its feet pass through it: it may fall more often.".to_owned()
-        }
         Note::OnHull => {
             "It is followed in three dimensions on a stiff floor, with a model that underestimated overturning in tests of \
              two rocks on a shake table. Its pads are ignored, and the shock of its landings is not calculated."

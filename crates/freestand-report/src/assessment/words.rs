@@ -34,7 +34,10 @@ pub(crate) fn too_mild(why: TooMild) -> &'static str {
             "calculated on the points of the hull, with a model that underestimates how often it falls"
         }
         TooMild::UnseenBase => "a scan, but nobody measured the side on which it stands",
-        TooMild::FeetPassWall => "beside a wall, through which its feet pass in the calculation",
+        TooMild::TouchesWall => {
+            "against a wall, where it falls too often in three dimensions on a stiff floor, and calculated in one plane on \
+             a rigid base"
+        }
         TooMild::Glides => "free to roll or slide, which counts only where a stop overturns it",
     }
 }

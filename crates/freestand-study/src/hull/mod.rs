@@ -9,6 +9,7 @@ use freestand::hull::poses::StablePose;
 use freestand::hull::shake::{
     Contact, HullOutcome, HullPoint, HullRocking, Sampling, Standing, shake_observed,
 };
+use freestand::hull::wall::HullWall;
 use freestand::hull::{Hull, HullBody, HullError, Vector};
 use freestand::motion::Motion;
 use freestand::respond::SpatialPoint;
@@ -20,6 +21,7 @@ use freestand_scan::mesh::Mesh;
 use serde::{Deserialize, Serialize};
 
 use crate::spatial::ONE_REALISATION;
+use crate::walls::{Ended, GivenCushion, ends_warning};
 
 /// A scan that is turned by more than this before it stands is said to be \[rad\].
 const TURNED_RAD: f64 = 0.035;
@@ -214,6 +216,10 @@ pub struct HullRequest {
     pub body: Arc<BodyInPose>,
     /// How it touches the floor.
     pub contact: Contact,
+    /// Where walls stand beside it: the angle from its x to its y \[rad\], and the gap \[m\].
+    pub walls: Vec<(f64, f64)>,
+    /// Their cushion, as far as it was given; else that of an edge of the body.
+    pub wall_cushion: GivenCushion,
     /// Horizontal motions of the floor: the first, and the one to its left (at 90° anticlockwise, seen from
     /// above).
     pub motions: [Option<Motion>; 2],
@@ -289,6 +295,10 @@ answer! {
             (rocking.outcome == HullOutcome::Overturned).then_some(rocking.end_s) => "overturns";
         moved_x_m: f64 = rocking.moved_m[0] => "displacement of the centre of gravity, along the motion";
         moved_y_m: f64 = rocking.moved_m[1] => "  across it";
+        wall_impact_count: Option<usize> =
+            (!request.walls.is_empty()).then_some(rocking.wall_contacts) => "contacts with walls";
+        wall_speed_max_m_s: Option<f64> =
+            (rocking.wall_contacts > 0).then_some(rocking.wall_speed_m_s) => "  largest speed";
     }
 
     /// What a body on its hull did.
@@ -331,6 +341,7 @@ fn outcome_name(outcome: HullOutcome) -> &'static str {
         HullOutcome::Stood => "stood",
         HullOutcome::Shifted(_) => "shifted",
         HullOutcome::Overturned => "overturned",
+        HullOutcome::Leaned => "leaned",
         HullOutcome::Unresolved | HullOutcome::Unsettled => "unresolved",
     }
 }
@@ -403,20 +414,36 @@ pub(crate) fn not_followed(error: HullError) -> Problem {
 pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
     let motion = request.motion();
     let mut history = Vec::new();
-    let rocking = shake_observed(
-        &request.body.standing,
-        &request.contact,
-        request.orientation_rad,
-        &motion,
-        request.gravity_m_s2,
-        Sampling::WHOLE,
-        &mut |point| {
-            if request.is_sampled {
-                history.push(point);
-            }
-        },
+    let mut beside = |(stiffness_n_m, damping_ratio): (f64, f64), is_sampled: bool| {
+        let wall = |&(toward_rad, gap_m): &(f64, f64)| HullWall {
+            toward_rad,
+            gap_m,
+            stiffness_n_m,
+            damping_ratio,
+        };
+        let body = request.body.standing.clone();
+        let rocking = shake_observed(
+            &body.beside(request.walls.iter().map(wall).collect()),
+            &request.contact,
+            request.orientation_rad,
+            &motion,
+            request.gravity_m_s2,
+            Sampling::WHOLE,
+            &mut |point| {
+                if is_sampled {
+                    history.push(point);
+                }
+            },
+        );
+        rocking.map_err(not_followed)
+    };
+    let (given, contact) = (request.wall_cushion, &request.contact);
+    let edge_n_m = contact.edge_n_m(request.body.standing.mass_kg(), request.gravity_m_s2);
+    let cushion = (
+        given.stiffness_n_m.unwrap_or(edge_n_m),
+        given.damping_ratio.unwrap_or(contact.damping_ratio),
     );
-    let rocking = rocking.map_err(not_followed)?;
+    let rocking = beside(cushion, request.is_sampled)?;
     if rocking.outcome == HullOutcome::Unsettled {
         let message = format!(
             "the body does not come to rest in its pose before the floor moves: it falls if its centre of gravity rises \
@@ -429,6 +456,14 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
         ));
     }
     let mut warnings = Vec::new();
+    if let Some(ends) = given.ends(edge_n_m).filter(|_| !request.walls.is_empty()) {
+        let [soft, stiff] = ends.map(|cushion| -> Result<Ended, Problem> {
+            let found = beside(cushion, false)?;
+            let ratios = (cushion.0 / edge_n_m, cushion.1);
+            Ok((ratios, outcome_name(found.outcome), found.peak_tilt_rad))
+        });
+        warnings.push(ends_warning([soft?, stiff?]));
+    }
     if request.body.barrier.angle_rad() < HARDLY_RAD {
         warnings.push(format!(
             "the body hardly stands: its centre of gravity rises by {} mm until it falls",

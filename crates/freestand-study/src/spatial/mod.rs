@@ -24,6 +24,7 @@ pub use wall::{CushionWallAnswer, walls_on_cushions};
 use crate::compliant::{damped, energy_warning, ringing_warning};
 use crate::cushion::EdgeCushion;
 use crate::unsolved::{self, base, unresolved_warning};
+use crate::walls::GivenCushion;
 
 /// What a single history in space is worth.
 pub(crate) const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
@@ -85,6 +86,8 @@ pub struct SpatialRequest {
     pub object: SpatialObject,
     /// How the cushion was read.
     pub edge: EdgeCushion,
+    /// The cushion of its walls, as far as it was given.
+    pub wall_cushion: GivenCushion,
     /// Horizontal motions of the floor: the first, and the one to its left (at 90° anticlockwise,
     /// seen from above).
     pub motions: [Option<Motion>; 2],
@@ -385,7 +388,7 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
         rocking.energy.residual_ratio,
     );
     warnings.extend(unresolved_warning(body.outcome));
-    warnings.extend(wall::feet_warning(object));
+    warnings.extend(wall::ends(request, motion)?);
     Ok(SpatialReport {
         answer,
         warnings,
@@ -549,6 +552,7 @@ mod tests {
                 support: Support::new(edge.cushion.clone()),
                 walls: Vec::new(),
             },
+            wall_cushion: GivenCushion::default(),
             edge: edge.clone(),
             motions: [Some(motion(1.0)), Some(motion(0.5))],
             vertical: None,

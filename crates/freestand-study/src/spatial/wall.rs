@@ -3,39 +3,57 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::compliant::EdgeSide;
-use freestand::cushion::Cushion;
-use freestand::spatial::{Shape, SpatialObject, SpatialRocking, Wall};
+use freestand::cushion::{ContactLaw, Cushion};
+use freestand::respond::HistoryOptions;
+use freestand::spatial::{Shape, SpatialMotion, SpatialObject, SpatialRocking, Wall};
 use freestand::wall::{self, Contact, Walls};
 use freestand_input::problem::Problem;
 use freestand_output::answer;
 
-use super::with_stiffness;
+use super::{SpatialRequest, with_stiffness};
+use crate::compliant::damped;
+use crate::unsolved;
+use crate::walls::{Ended, GivenCushion, ends_warning};
 
-/// The walls of an object on these cushions: an edge of it meets the cushion of an edge, or the same
-/// law with the stiffness of the wall and the same damping ratio. Their restitution is not used: on
+/// The walls of an object on these cushions: an edge of it meets the cushion of an edge, or one with the stiffness and
+/// the damping ratio of the wall; without one of them that of the edge. Their restitution is not used: on
 /// cushions it follows from the cushion.
 ///
 /// # Errors
-/// A stiffness for a law that has none.
+/// A stiffness or a damping alone for a law that has none.
 pub fn walls_on_cushions(
     walls: &Walls,
-    stiffness_n_m: Option<f64>,
+    given: GivenCushion,
     cushion: &Cushion,
     mass_kg: f64,
 ) -> Result<Vec<Wall>, Problem> {
-    let cushion = stiffness_n_m
-        .map(|stiffness_n_m| {
-            with_stiffness(cushion, stiffness_n_m, [mass_kg; 2]).unwrap_or_else(|| {
-                Err(Problem::value(
-                    format!(
-                        "`wall_stiffness` does not describe a cushion of the law {}",
-                        cushion.law().name()
-                    ),
-                    "leave it out: the walls then have the cushion of an edge; or use a linear law",
-                ))
-            })
-        })
-        .transpose()?;
+    let nonlinear = || {
+        Problem::value(
+            format!(
+                "`wall_stiffness` or `wall_damping` alone does not describe a cushion of the law {}",
+                cushion.law().name()
+            ),
+            "leave it out: the walls then have the cushion of an edge; give both, or use a linear law",
+        )
+    };
+    let stiffness_n_m = given.stiffness_n_m.or(match *cushion.law() {
+        ContactLaw::Linear { stiffness_n_m } | ContactLaw::KelvinVoigt { stiffness_n_m, .. } => {
+            Some(stiffness_n_m)
+        }
+        _ => None,
+    });
+    let cushion = match (given.stiffness_n_m, given.damping_ratio) {
+        (None, None) => None,
+        (Some(stiffness_n_m), None) => Some(
+            with_stiffness(cushion, stiffness_n_m, [mass_kg; 2])
+                .unwrap_or_else(|| Err(nonlinear()))?,
+        ),
+        (_, Some(ratio)) => Some(damped(
+            mass_kg,
+            stiffness_n_m.ok_or_else(nonlinear)?,
+            ratio,
+        )?),
+    };
     let wall = |side: EdgeSide, given: Option<wall::Wall>| {
         given.map(|given| Wall {
             side,
@@ -53,29 +71,64 @@ pub fn walls_on_cushions(
     .collect())
 }
 
+/// What it does beside the softest and the stiffest walls that may stand there, where their cushion was not given.
+///
+/// # Errors
+/// Those of the solver.
+pub(super) fn ends(
+    request: &SpatialRequest,
+    motion: SpatialMotion<'_>,
+) -> Result<Option<String>, Problem> {
+    let object = &request.object;
+    let edge = &object.support.cushion;
+    let weight_n = object.mass_kg * request.how.settings.gravity_m_s2;
+    let edge_n_m = edge.tangent_stiffness_n_m(edge.static_compression_m(0.5 * weight_n));
+    let Some(ends) = request.wall_cushion.ends(edge_n_m) else {
+        return Ok(None);
+    };
+    if object.walls.is_empty() {
+        return Ok(None);
+    }
+    let followed = |(stiffness_n_m, damping_ratio): (f64, f64)| -> Result<Ended, Problem> {
+        let cushion = damped(object.mass_kg, stiffness_n_m, damping_ratio)?;
+        let mut object = object.clone();
+        for wall in &mut object.walls {
+            wall.cushion = Some(cushion.clone());
+        }
+        let how = HistoryOptions {
+            is_sampled: false,
+            ..request.how.clone()
+        };
+        let body = object
+            .follow(motion, &how)
+            .map_err(unsolved::problem)?
+            .rocking
+            .body;
+        Ok((
+            (stiffness_n_m / edge_n_m, damping_ratio),
+            body.outcome.name(),
+            body.peak_tilt_rad,
+        ))
+    };
+    let [soft, stiff] = ends.map(followed);
+    Ok(Some(ends_warning([soft?, stiff?])))
+}
+
 /// Refuses an object that cannot stand at a wall.
 ///
 /// # Errors
-/// A cylinder: its rim would roll along the wall, and the elements of a wall are those of an edge.
+/// A cylinder at a wall lower than it: its rims meet a wall, and no elements are on its curved face.
 pub(super) fn check(object: &SpatialObject) -> Result<(), Problem> {
-    if object.walls.is_empty() || !matches!(object.shape, Shape::Cylinder { .. }) {
+    let [.., height_m] = object.shape.sizes_m();
+    let is_low = |wall: &Wall| wall.height_m < height_m;
+    if !matches!(object.shape, Shape::Cylinder { .. }) || !object.walls.iter().any(is_low) {
         return Ok(());
     }
-    let hint = "leave the wall out, or give the cylinder as a prism with its diameter as thickness and width";
-    Err(Problem::value(
-        "a cylinder at a wall is not modelled: its rim would roll along it",
-        hint,
+    let hint = "leave `wall_height` out, or give the cylinder as a prism with its diameter as thickness and width";
+    Err(
+        Problem::value("a cylinder at a wall lower than it is not modelled", hint)
+            .of(&["wall_height"]),
     )
-    .of(&["wall_gap_left"]))
-}
-
-/// What a wall beside an object on cushions does not do.
-pub(super) fn feet_warning(object: &SpatialObject) -> Option<String> {
-    (!object.walls.is_empty()).then(|| {
-        "the top and the face of the object meet the wall, and its feet pass through it: on a rigid base it may fall \
-         where it stands here"
-            .to_owned()
-    })
 }
 
 /// The contact of the object with one of its walls where it turns about an edge that does not give.
@@ -129,7 +182,7 @@ pub(super) fn answer(
     let forces_n = rocking.wall_forces_max_n;
     let shock_g = EdgeSide::BOTH
         .into_iter()
-        .zip(forces_n)
+        .zip(rocking.wall_edge_forces_max_n)
         .filter_map(shock_g)
         .reduce(f64::max);
     Some(CushionWallAnswer {

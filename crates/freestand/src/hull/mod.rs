@@ -8,6 +8,7 @@
 //! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
 //! * [`contact`]: the few points of its hull with which it touches the floor;
 //! * [`shake`]: the body under a motion of the floor;
+//! * [`wall`]: walls beside it;
 //! * [`shapes`]: prisms and cylinders, on their outline or on feet.
 //!
 //! Vectors are in the axes in which the body was given, from its centre of gravity, z upward.
@@ -18,6 +19,7 @@ pub mod poses;
 mod rolling;
 pub mod shake;
 pub mod shapes;
+pub mod wall;
 
 use thiserror::Error;
 
@@ -58,6 +60,9 @@ pub enum HullError {
         "friction and rolling friction must be at least 0, damping and sinking of the contacts above 0"
     )]
     Contact,
+    /// A wall is not valid.
+    #[error("the gap and the damping of a wall must be at least 0, its stiffness above 0")]
+    Wall,
     /// The components of the motion differ.
     #[error("the components of the motion must have the same step and length")]
     Motion,

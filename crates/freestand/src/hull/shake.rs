@@ -5,6 +5,8 @@
 //! s − c_t v with the stretch s of a spring, at most μN, where it slips. k_n = m g/(3δ) at each point,
 //! however many there are; c_n = 2ζ√(k_n m/3), k_t = 0.7 k_n, c_t = 1.4ζ√(k_t m/3).
 //!
+//! [Walls](super::wall) press on the points of the hull behind them.
+//!
 //! # Accuracy
 //! Velocities are stepped before positions, at most 0.1 ms at once: 1/32 of a radian of the vibration of
 //! the weight on three contacts that sink 0.1 mm. Many points at once are stiffer and more damped than three:
@@ -15,6 +17,7 @@
 use pulp::Arch;
 
 use super::poses::StablePose;
+use super::wall::{Beside, HullWall, Moving};
 use super::{HullBody, HullError, Vector, rolling};
 use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
@@ -46,11 +49,22 @@ impl Default for Contact {
     }
 }
 
+impl Contact {
+    /// The stiffness of an edge of a body: of two points \[N/m\].
+    pub fn edge_n_m(&self, mass_kg: f64, gravity_m_s2: f64) -> f64 {
+        2.0 * self.point_n_m(mass_kg, gravity_m_s2)
+    }
+
+    fn point_n_m(&self, mass_kg: f64, gravity_m_s2: f64) -> f64 {
+        mass_kg * gravity_m_s2 / (3.0 * self.sinking_m)
+    }
+}
+
 /// Tilt from the pose above which a body has overturned \[rad\].
 pub const OVERTURNED_RAD: f64 = std::f64::consts::PI / 3.0;
 
 /// Points whose heights are calculated at once.
-const LANES: usize = 8;
+pub(super) const LANES: usize = 8;
 
 /// The longest step \[s\].
 const STEP_S: f64 = 1e-4;
@@ -62,6 +76,10 @@ const SETTLING_S: f64 = 30.0;
 const RESTING_M_S: f64 = 1e-3;
 const SETTLED_M_S: f64 = 1e-5;
 const RESTING_S: f64 = 0.2;
+
+/// A body that rests farther than this from its pose while a wall presses on it leans there \[rad\]: short of its
+/// balance point a smooth wall holds nothing.
+const LEANING_RAD: f64 = 0.02;
 
 /// A settling body loses its speed at this rate \[1/s\]: enough to end its vibration, and little enough not to
 /// hold up what leans slowly.
@@ -76,6 +94,8 @@ pub enum HullOutcome {
     Shifted(usize),
     /// Its tilt exceeded [`OVERTURNED_RAD`].
     Overturned,
+    /// It rests against a wall, past its balance point.
+    Leaned,
     /// It did not come to rest.
     Unresolved,
     /// It did not come to rest in its pose before the floor moved.
@@ -85,7 +105,7 @@ pub enum HullOutcome {
 impl HullOutcome {
     /// Whether it has left its pose, which counts as a fall.
     pub fn falls(self) -> bool {
-        matches!(self, Self::Shifted(_) | Self::Overturned)
+        matches!(self, Self::Shifted(_) | Self::Overturned | Self::Leaned)
     }
 }
 
@@ -104,6 +124,10 @@ pub struct HullRocking {
     pub uplift_m: f64,
     /// How far its centre of gravity is from where it was, along the floor \[m\].
     pub moved_m: [f64; 2],
+    /// How often it struck a wall, and the largest speed of a point there \[m/s\].
+    pub wall_contacts: usize,
+    /// See `wall_contacts`.
+    pub wall_speed_m_s: f64,
     /// When the history ended \[s\].
     pub end_s: f64,
 }
@@ -159,6 +183,9 @@ pub struct Standing {
     mass_kg: f64,
     inertia_kg_m2: [Vector; 3],
     points_m: Vec<Vector>,
+    /// The points with which it meets walls, and these.
+    sides_m: Vec<Vector>,
+    walls: Vec<HullWall>,
     poses: Vec<StablePose>,
     pose: usize,
     /// The largest distance between two points of its base \[m\].
@@ -225,6 +252,8 @@ impl HullBody {
             quiet_ratio: quiet_ratio(&points_m, chosen),
             base_width_m: base_width_m(&points_m, chosen),
             points_m,
+            sides_m: self.hull.side_points_m(chosen),
+            walls: Vec::new(),
             poses,
             pose,
         })
@@ -263,6 +292,8 @@ impl Standing {
             quiet_ratio: quiet_ratio(&points_m, &poses[self.pose]),
             base_width_m: base_width_m(&points_m, &poses[self.pose]),
             points_m,
+            sides_m: self.sides_m.iter().map(stretched).collect(),
+            walls: self.walls.clone(),
             poses,
             pose: self.pose,
         }
@@ -296,6 +327,7 @@ impl Standing {
         Self {
             quiet_ratio,
             points_m,
+            sides_m: self.sides_m.iter().map(displaced).collect(),
             poses,
             ..self.clone()
         }
@@ -306,9 +338,32 @@ impl Standing {
         self.base_width_m
     }
 
+    /// The same body with walls beside it.
+    #[must_use]
+    pub fn beside(mut self, walls: Vec<HullWall>) -> Self {
+        self.walls = walls;
+        self
+    }
+
+    /// The walls beside it.
+    pub fn walls(&self) -> &[HullWall] {
+        &self.walls
+    }
+
+    /// Its mass \[kg\].
+    pub fn mass_kg(&self) -> f64 {
+        self.mass_kg
+    }
+
     /// The points on which it is followed \[m\].
     pub fn points_m(&self) -> &[Vector] {
         &self.points_m
+    }
+
+    /// The points with which it meets walls \[m\].
+    #[cfg(test)]
+    pub(super) fn sides(&self) -> &[Vector] {
+        &self.sides_m
     }
 
     /// The points that carry it at rest, for the length of a step.
@@ -369,6 +424,17 @@ fn normalised(turn: Turn) -> Turn {
     turn.map(|x| x / norm)
 }
 
+/// Points by coordinate, [`LANES`] at once.
+pub(super) fn lanes(points_m: &[Vector]) -> Vec<[[f64; LANES]; 3]> {
+    // The last lanes have no point of their own; what stands there is the centre of gravity, inside the body.
+    let none = [0.0; 3];
+    let lanes = points_m.chunks(LANES).map(|points| {
+        let at = |lane: usize| points.get(lane).unwrap_or(&none);
+        [0, 1, 2].map(|axis| std::array::from_fn(|lane| at(lane)[axis]))
+    });
+    lanes.collect()
+}
+
 fn times(m: &[Vector; 3], v: &Vector) -> Vector {
     [dot(&m[0], v), dot(&m[1], v), dot(&m[2], v)]
 }
@@ -390,6 +456,8 @@ struct Stepper<'b> {
     /// Its points by coordinate, [`LANES`] at once, and their heights.
     coordinates: Vec<[[f64; LANES]; 3]>,
     heights_m: Vec<[f64; LANES]>,
+    /// What stands beside it, once it has settled.
+    beside: Beside<'b>,
     /// The points that touched the floor at the last step, and those that do now.
     touching: Vec<usize>,
     touched: Vec<usize>,
@@ -416,28 +484,27 @@ struct Stepper<'b> {
 
 impl<'b> Stepper<'b> {
     fn new(body: &'b Standing, contact: &Contact, yaw_rad: f64, gravity_m_s2: f64) -> Self {
-        let normal_n_m = body.mass_kg * gravity_m_s2 / (3.0 * contact.sinking_m);
+        let normal_n_m = contact.point_n_m(body.mass_kg, gravity_m_s2);
         let tangential_n_m = 0.7 * normal_n_m;
         let damping = |ratio: f64, stiffness_n_m: f64| {
             ratio * contact.damping_ratio * (stiffness_n_m * body.mass_kg / 3.0).sqrt()
         };
         let turn = upright(&body.pose().down, yaw_rad);
         let normal_n_s_m = damping(2.0, normal_n_m);
-        // All points at rest together are this stiff and damped, over the mass.
+        // All points at rest together are this stiff and damped, over the mass; so are both edges at a wall.
         let points = body.carried_by(contact.sinking_m) as f64;
-        let fast_rad_s = (points * normal_n_m / body.mass_kg).sqrt();
-        let damped_1_s = points * normal_n_s_m / body.mass_kg;
+        let at_walls =
+            |of: &dyn Fn(&HullWall) -> f64| body.walls.iter().map(of).fold(0.0, f64::max);
+        let wall_n_m = at_walls(&|wall| 2.0 * wall.stiffness_n_m);
+        let wall_n_s_m = at_walls(&|wall| 4.0 * wall.point_n_s_m(body.mass_kg));
+        let fast_rad_s = ((points * normal_n_m).max(wall_n_m) / body.mass_kg).sqrt();
+        let damped_1_s = (points * normal_n_s_m).max(wall_n_s_m) / body.mass_kg;
         let longest_s = STEP_S.min(0.2 / fast_rad_s).min(0.5 / damped_1_s);
-        // The last lanes have no point of their own; what stands there is not looked at.
-        let none = [0.0; 3];
-        let lanes = body.points_m.chunks(LANES).map(|points| {
-            let at = |lane: usize| points.get(lane).unwrap_or(&none);
-            [0, 1, 2].map(|axis| std::array::from_fn(|lane| at(lane)[axis]))
-        });
-        let coordinates: Vec<[[f64; LANES]; 3]> = lanes.collect();
+        let coordinates = lanes(&body.points_m);
         Self {
             heights_m: vec![[0.0; LANES]; coordinates.len()],
             coordinates,
+            beside: Beside::default(),
             touching: Vec::new(),
             touched: Vec::new(),
             stretches_m: vec![[0.0; 2]; body.points_m.len()],
@@ -487,6 +554,10 @@ impl<'b> Stepper<'b> {
                 }
             }
         }
+        if !self.body.walls.is_empty() {
+            let moving = self.moving(omega);
+            self.beside.push(&moving, step_s, &mut force, &mut torque);
+        }
         let down = [0.0, 0.0, self.gravity_m_s2];
         for i in 0..3 {
             let rate = force[i] / self.body.mass_kg - floor_m_s2[i] - down[i];
@@ -510,6 +581,25 @@ impl<'b> Stepper<'b> {
             z + step_s * rate[3],
         ]);
         self.shift = shift(&self.turn);
+    }
+
+    #[inline(always)]
+    fn moving(&self, omega_rad_s: Vector) -> Moving {
+        Moving {
+            place_m: self.place_m,
+            shift: self.shift,
+            velocity_m_s: self.velocity_m_s,
+            omega_rad_s,
+        }
+    }
+
+    /// Puts up its walls where it has settled.
+    fn stand_beside(&mut self, yaw_rad: f64) {
+        let body = self.body;
+        if !body.walls.is_empty() {
+            let at = self.moving([0.0; 3]);
+            self.beside = Beside::new(&body.walls, body.mass_kg, yaw_rad, &at, &body.sides_m);
+        }
     }
 
     /// The heights of all points, which is nearly all of the work, and those that touch the floor.
@@ -652,6 +742,9 @@ fn followed(
         rolling_ratio,
     } = *contact;
     let is_positive = |x: f64| x > 0.0 && x.is_finite();
+    if !body.walls.iter().all(HullWall::is_valid) {
+        return Err(HullError::Wall);
+    }
     let rolls = rolling_ratio >= 0.0 && rolling_ratio.is_finite();
     if !(friction_ratio >= 0.0 && rolls && is_positive(damping_ratio) && is_positive(sinking_m)) {
         return Err(HullError::Contact);
@@ -720,6 +813,8 @@ impl Watch {
             uplift_m: stepper.body.base_width_m
                 * (1.0 - self.least_cos * self.least_cos).max(0.0).sqrt(),
             moved_m: [0, 1].map(|i| stepper.place_m[i] - self.rest_m[i]),
+            wall_contacts: stepper.beside.contacts,
+            wall_speed_m_s: stepper.beside.speed_m_s,
             end_s: self.now_s,
         }
     }
@@ -773,6 +868,7 @@ fn follow(
     if !is_settled {
         return watch.ended(&stepper, HullOutcome::Unsettled);
     }
+    stepper.stand_beside(yaw_rad);
     let first = given.into_iter().flatten().next();
     let (samples, dt_s) = first.map_or((0, STEP_S), |one| (one.accel_m_s2().len(), one.dt_s()));
     let per_sample = (dt_s / stepper.longest_s).ceil().max(1.0) as usize;
@@ -843,7 +939,10 @@ fn follow(
         let is_slow = stepper.speed_m_s() < RESTING_M_S;
         rested = if is_slow { rested + 1 } else { 0 };
         if rested > needed {
+            let is_held = stepper.beside.presses();
+            let is_tilted = dot(&stepper.down(), &watch.rest_down) < LEANING_RAD.cos();
             let outcome = match body.nearest(&stepper.down()) {
+                _ if is_held && is_tilted => HullOutcome::Leaned,
                 pose if pose == body.pose => HullOutcome::Stood,
                 pose => HullOutcome::Shifted(pose),
             };

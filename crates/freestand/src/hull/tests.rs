@@ -1,3 +1,5 @@
+mod walls;
+
 use super::*;
 use crate::motion::Motion;
 use crate::spatial::SpatialMotion;

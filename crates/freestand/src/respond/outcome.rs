@@ -70,6 +70,7 @@ impl Outcome {
     pub fn on_hull(body: &HullRocking) -> Self {
         match body.outcome {
             HullOutcome::Overturned | HullOutcome::Shifted(_) => Self::Overturned,
+            HullOutcome::Leaned => Self::Leaned,
             HullOutcome::Unresolved | HullOutcome::Unsettled => Self::Unresolved,
             HullOutcome::Stood if body.uplift_m > LIFTED_M => Self::Rocked {
                 uplift_m: body.uplift_m,

@@ -1,7 +1,8 @@
 //! The elements: points that are pressed against a face, and how each of them holds on.
 
+use super::pose::Pose;
 use crate::compliant::pad::Pad;
-use crate::space::Vector;
+use crate::space::{Vector, sum};
 
 /// A body, or the base (`None`).
 pub(super) type Owner = Option<usize>;
@@ -12,12 +13,14 @@ pub(super) struct Element<'a> {
     /// The body with the point; its place from the centre of gravity, or on the base.
     pub(super) point_of: Owner,
     pub(super) point: Vector,
+    /// The radius of a rim about `point`, of which the point nearest to the face is pressed; 0 for a point.
+    pub(super) rim_m: f64,
     /// The body with the face; the axis (0 to 2) of that body that is normal to it, and +1 where
     /// the face looks along the axis.
     pub(super) face_of: Owner,
     pub(super) normal: usize,
     pub(super) sign: f64,
-    /// Distance of the point from the face when all bodies are upright above unloaded cushions.
+    /// Distance of `point` from the face when all bodies are upright above unloaded cushions.
     pub(super) gap: f64,
     /// The face ends at this distance from the centre of gravity along this axis.
     pub(super) end: Option<(usize, f64)>,
@@ -32,6 +35,26 @@ pub(super) struct Element<'a> {
     pub(super) unit_m: f64,
     pub(super) weight_n: f64,
     pub(super) role: Role,
+}
+
+impl Element<'_> {
+    /// The point that is pressed, in the axes of its body at this pose, and its distance from the face when
+    /// everything is upright. Of a rim about the axis of its body it is the point nearest to the face, against
+    /// the normal n: −r Qᵀn, without its part along the axis, over √(1 − n_z²).
+    pub(super) fn pressed(&self, pose: &Pose) -> (Vector, f64) {
+        if self.rim_m == 0.0 {
+            return (self.point, self.gap);
+        }
+        let mut row = pose.shift[self.normal];
+        row[self.normal] += 1.0;
+        let out = row[0].hypot(row[1]).max(f64::MIN_POSITIVE);
+        let [x, y] = [row[0], row[1]].map(|part| -self.sign * self.rim_m * part / out);
+        let point = sum(&self.point, &[x, y, 0.0]);
+        (
+            point,
+            self.gap + self.sign * (point[self.normal] - self.point[self.normal]),
+        )
+    }
 }
 
 /// What an element is part of.

@@ -212,18 +212,20 @@ impl<'a> World<'a> {
     }
 
     pub(super) fn foot(&self, element: &Element, poses: &Poses) -> Foot {
-        let (shift, velocity, point_arm) = match element.point_of {
+        let (shift, velocity, point_arm, gap) = match element.point_of {
             Some(body) => {
                 let pose = &poses[body];
-                let by_turn = moved(&pose.shift, &element.point);
-                let arm = sum(&element.point, &by_turn);
+                let (point, gap) = element.pressed(pose);
+                let by_turn = moved(&pose.shift, &point);
+                let arm = sum(&point, &by_turn);
                 (
                     sum(&pose.place, &by_turn),
                     sum(&pose.velocity, &cross(&pose.omega, &arm)),
                     arm,
+                    gap,
                 )
             }
-            None => ([0.0; 3], [0.0; 3], [0.0; 3]),
+            None => ([0.0; 3], [0.0; 3], [0.0; 3], element.gap),
         };
         let (place, rate, face_arm, from_cg) = match element.face_of {
             None => (shift, velocity, [0.0; 3], [0.0; 3]),
@@ -248,7 +250,7 @@ impl<'a> World<'a> {
         Foot {
             point_arm,
             face_arm,
-            compression: -(element.gap + element.sign * place[element.normal]),
+            compression: -(gap + element.sign * place[element.normal]),
             compression_rate: -element.sign * rate[element.normal],
             on_face: [place[a], place[b]],
             sliding: [rate[a], rate[b]],
@@ -263,8 +265,8 @@ impl<'a> World<'a> {
         match (element.point_of, element.face_of) {
             (Some(body), None) => {
                 let (pose, axis) = (&poses[body], element.normal);
-                -(element.gap
-                    + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &element.point)))
+                let (point, gap) = element.pressed(pose);
+                -(gap + element.sign * (pose.place[axis] + dot(&pose.shift[axis], &point)))
             }
             _ => self.foot(element, poses).compression,
         }

@@ -18,8 +18,9 @@
 //!   σ̇ = v − λσ̂, λ = v·σ̂ − (μ/k_t)Ṅ, which keeps |k_t σ| = μN while the direction turns with the
 //!   velocity; it sticks again where λ = 0. σ = 0 at each new contact. The direction turns at no more
 //!   than fifty times the rate of the vibration on the cushions: faster, it is that of the velocity.
-//! * **A wall** is smooth and moves with the floor. What the object loses there follows from the
-//!   cushion of the wall; the foot may lift and slip.
+//! * **A wall** is smooth and moves with the floor. It stops every corner of the object, those of the base too, and
+//!   both rims of a cylinder. What the object loses there follows from the cushion of the wall; the foot may
+//!   lift and slip.
 //! * **A stack** is two bodies in the plane. Between them are two elements at the corners of the
 //!   narrower body, normal to the face of the other one, with equal and opposite forces. An element
 //!   ends where its corner leaves that face.
@@ -40,6 +41,7 @@ mod seen;
 mod solve;
 mod stack;
 mod track;
+mod wall;
 
 #[cfg(test)]
 mod tests;
@@ -67,6 +69,7 @@ pub use landings::BaseLandings;
 pub use seen::Pattern;
 pub use stack::{Stack, StackBody, StackPart, StackRocking, rock_stack, rock_stack_observed};
 pub use track::{BodyMotion, Patterns};
+pub use wall::Wall;
 
 /// Points of a cylinder's rim that rest on the floor.
 pub const RIM_POINTS: usize = 48;
@@ -201,6 +204,7 @@ impl Support {
         Element {
             point_of: Some(point_of),
             point,
+            rim_m: 0.0,
             face_of: None,
             normal: 2,
             sign: 1.0,
@@ -218,19 +222,6 @@ impl Support {
             role: Role::Base,
         }
     }
-}
-
-/// A smooth wall beside an object, along y; it moves with the floor.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wall {
-    /// The side on which it stands.
-    pub side: EdgeSide,
-    /// Distance from the face of the object \[m\].
-    pub gap_m: f64,
-    /// Its height \[m\]; infinite for one that is taller than the object.
-    pub height_m: f64,
-    /// The cushion between the wall and an edge of the object; `None`: that under an edge.
-    pub cushion: Option<Cushion>,
 }
 
 /// An object in space and what it touches.
@@ -340,6 +331,8 @@ pub struct SpatialRocking {
     pub wall_speed_max_m_s: f64,
     /// Largest force of the wall on the left and of the one on the right; 0 without a contact \[N\].
     pub wall_forces_max_n: [f64; 2],
+    /// The same on one edge of the object, at its base or above: the two may strike at once \[N\].
+    pub wall_edge_forces_max_n: [f64; 2],
     /// The energy balance.
     pub energy: EnergyAudit,
     /// Work done.
@@ -546,6 +539,7 @@ pub fn rock_spatial_observed(
         landings: track.landings.close(end_time_s),
         wall_speed_max_m_s: track.wall_speed,
         wall_forces_max_n: track.wall_forces,
+        wall_edge_forces_max_n: track.wall_edge_forces,
         energy,
         effort,
     })
@@ -564,16 +558,16 @@ impl SpatialObject {
             not_negative("gap to a wall", wall.gap_m)?;
             let is_high = wall.height_m > 0.0;
             within(is_high, "height of a wall", "positive", wall.height_m)?;
-            if let Shape::Cylinder { diameter_m, .. } = self.shape {
-                let requirement = "that of a prism: a cylinder at a wall is not modelled";
-                within(false, "shape at a wall", requirement, diameter_m)?;
+            if matches!(self.shape, Shape::Cylinder { .. }) && wall.is_low(&self.shape) {
+                let requirement = "that of a prism at a wall lower than the object";
+                within(false, "shape", requirement, wall.height_m)?;
             }
         }
         Ok(())
     }
 
     fn world(&self, gravity: f64) -> World<'_> {
-        let [x, _, height] = self.shape.sizes_m();
+        let [.., height] = self.shape.sizes_m();
         let (mass, cg_height) = (self.mass_kg, 0.5 * height);
         let body = Rigid {
             mass,
@@ -589,53 +583,9 @@ impl SpatialObject {
                 .element((0, [x, y, -cg_height]), share, weight_n, slot)
         };
         let mut elements: Vec<Element<'_>> = feet.iter().enumerate().map(foot).collect();
+        let foot = self.support.element((0, [0.0; 3]), share, weight_n, 0);
         for wall in &self.walls {
-            let cushion = wall.cushion.as_ref().unwrap_or(&self.support.cushion);
-            let out = match wall.side {
-                EdgeSide::Left => -1.0,
-                EdgeSide::Right => 1.0,
-            };
-            let is_low = wall.height_m < height;
-            // The two ends of the edge, or its middle in the plane.
-            let ends = match self.shape {
-                Shape::Prism { width_m, .. } => vec![-0.5 * width_m, 0.5 * width_m],
-                Shape::Plane { .. } => vec![0.0],
-                Shape::Cylinder { .. } => Vec::new(),
-            };
-            for y in &ends {
-                let on_face = Element {
-                    normal: 0,
-                    sign: -out,
-                    gap: wall.gap_m,
-                    pad: Pad {
-                        cushion,
-                        share: 1.0 / ends.len() as f64,
-                    },
-                    tangential_stiffness: 0.0,
-                    friction: None,
-                    slot: 0,
-                    unit_m: cushion.static_compression_m(0.5 * weight_n),
-                    role: Role::Wall,
-                    ..self
-                        .support
-                        .element((0, [0.5 * out * x, *y, cg_height]), share, weight_n, 0)
-                };
-                elements.push(if is_low {
-                    // The top of the wall on the face of the object.
-                    let point = [out * (0.5 * x + wall.gap_m), *y, wall.height_m];
-                    let end = Some((2, cg_height));
-                    Element {
-                        point_of: None,
-                        point,
-                        face_of: Some(0),
-                        sign: out,
-                        end,
-                        ..on_face
-                    }
-                } else {
-                    on_face
-                });
-            }
+            elements.extend(wall.elements(&self.shape, &foot));
         }
         let is_planar = matches!(self.shape, Shape::Plane { .. });
         let feet = elements

@@ -265,10 +265,11 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         Ok(())
     }
 
-    /// Whether every foot carries its body, or a wall holds one.
+    /// Whether every foot carries its body, or a wall holds one above its centre of gravity.
     fn is_held(&self) -> bool {
         let mut both = self.world.elements.iter().zip(self.grips.each());
-        let is_at_wall = both.any(|(element, grip)| element.role == Role::Wall && grip.carries());
+        let holds = |element: &Element<'_>| element.role == Role::Wall && element.point[2] > 0.0;
+        let is_at_wall = both.any(|(element, grip)| holds(element) && grip.carries());
         let mut both = self.world.elements.iter().zip(self.grips.each());
         is_at_wall || both.all(|(element, grip)| element.role == Role::Wall || grip.carries())
     }

@@ -88,6 +88,8 @@ pub(super) struct Track {
     pub(super) wall_speed: f64,
     /// Largest force of the walls on the left and on the right.
     pub(super) wall_forces: [f64; 2],
+    /// The same of one edge of a body.
+    pub(super) wall_edge_forces: [f64; 2],
 }
 
 /// The centre of the base: its horizontal displacement squared, and the rate of that.
@@ -112,6 +114,7 @@ impl Track {
             landings: Landings::new(world.elements.len()),
             wall_speed: 0.0,
             wall_forces: [0.0; 2],
+            wall_edge_forces: [0.0; 2],
         }
     }
 
@@ -225,17 +228,19 @@ impl Track {
         let pressed = seen.world.elements.iter().zip(seen.grips.each());
         let pressed =
             pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
-        let mut forces = [0.0; 2];
+        // Of each side, at the base and above.
+        let mut forces = [[0.0; 2]; 2];
         for (element, _) in pressed {
             let foot = seen.world.foot(element, poses);
             // The face of a wall on the right looks to the left; that of the object, on which a low wall
             // presses, looks to the right.
             let is_right = (element.sign < 0.0) == element.face_of.is_none();
-            forces[usize::from(is_right)] +=
+            forces[usize::from(is_right)][usize::from(element.point[2] > 0.0)] +=
                 element.pad.push(foot.compression, foot.compression_rate);
         }
-        for (largest, force) in self.wall_forces.iter_mut().zip(forces) {
-            *largest = force.max(*largest);
+        for (side, [base, above]) in forces.into_iter().enumerate() {
+            self.wall_forces[side] = (base + above).max(self.wall_forces[side]);
+            self.wall_edge_forces[side] = base.max(above).max(self.wall_edge_forces[side]);
         }
     }
 

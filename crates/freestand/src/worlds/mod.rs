@@ -16,7 +16,10 @@ pub use correlation::spectral_correlation_ratio;
 pub use ground::{Component, Deviation, GroundSpread, SpreadOptions, WorldSpectra, world_motion};
 pub use restitution::{RESTITUTION_SPREAD, restitution_at, restitution_draw};
 pub use streams::{Group, WORLD_GENERATOR, object_stream, place_among, world_stream};
-pub use wall::{WallDraw, wall_draw, wall_restitution_at};
+pub use wall::{
+    WALL_DAMPING_RATIO, WALL_STIFFNESS_RATIO, WallDraw, wall_cushion_at, wall_draw,
+    wall_restitution_at,
+};
 
 use thiserror::Error;
 

@@ -29,7 +29,7 @@ pub enum Group {
     Body,
     /// The error of the models.
     Model,
-    /// The side of its wall, and the restitution there.
+    /// The side of its wall, the restitution there and the cushion of it.
     Wall,
     /// The friction under it.
     Friction,

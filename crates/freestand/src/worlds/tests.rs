@@ -415,7 +415,7 @@ fn periods_damping_and_sides_are_drawn_as_asked() {
 fn a_wall_has_a_side_and_a_restitution() {
     const WORLDS: u32 = 4000;
     let draws: Vec<WallDraw> = (0..WORLDS)
-        .map(|world| wall_draw(5, world, 77, 0))
+        .map(|world| wall_draw(5, world, 77, 0, 0))
         .collect();
     let root = f64::from(WORLDS).sqrt();
     let left = draws.iter().filter(|one| one.is_on_left).count() as f64 / f64::from(WORLDS);
@@ -432,8 +432,36 @@ fn a_wall_has_a_side_and_a_restitution() {
         draws
             .iter()
             .zip(0..)
-            .all(|(one, world)| one.is_on_left == wall_draw(5, world, 77, 3).is_on_left)
+            .all(|(one, world)| one.is_on_left == wall_draw(5, world, 77, 3, 3).is_on_left)
     );
+    // Logarithms are uniform: their mean is in the middle of the range, and they fill it.
+    let logs = [
+        (
+            draws
+                .iter()
+                .map(|one| one.stiffness_ratio.ln())
+                .collect::<Vec<f64>>(),
+            WALL_STIFFNESS_RATIO,
+        ),
+        (
+            draws.iter().map(|one| one.damping_ratio.ln()).collect(),
+            WALL_DAMPING_RATIO,
+        ),
+    ];
+    for (logs, (low, high)) in logs {
+        let (low, high) = (low.ln(), high.ln());
+        let spread = (high - low) / 12f64.sqrt();
+        assert!((mean(&logs) - 0.5 * (low + high)).abs() < 4.0 * spread / root);
+        assert!((sd(&logs) / spread - 1.0).abs() < 4.0 / root);
+        assert!(logs.iter().all(|log| (low..high).contains(log)));
+    }
+    // Each part is drawn again by itself.
+    let (first, other) = (wall_draw(5, 0, 77, 0, 0), wall_draw(5, 0, 77, 0, 1));
+    assert_eq!(first.restitution_ratio, other.restitution_ratio);
+    assert_ne!(first.stiffness_ratio, other.stiffness_ratio);
+    assert_ne!(first.damping_ratio, other.damping_ratio);
+    assert_eq!(wall_cushion_at(0.0), (1.0, 0.3));
+    assert_eq!(wall_cushion_at(1.0), (5.0, 0.3 * (0.05f64 / 0.3)));
 }
 
 /// Five equal storeys, T₁ = 0.65 s, 5 % damping.

@@ -185,7 +185,6 @@ fn every_reason_in_words() {
         Note::Flat(Flat::Stack),
         Note::OneRealisation,
         Note::OneComponent,
-        Note::FeetPassWall,
         Note::StackInPlane,
         Note::LowestTail,
     ];
@@ -230,7 +229,7 @@ fn answers_and_pads_in_words() {
         ..falls(FallsAnswer::Close)
     };
     answered("few worlds", needed, falling.clone());
-    for why in [TooMild::Round, TooMild::FeetPassWall] {
+    for why in [TooMild::Round, TooMild::TouchesWall] {
         let mild = Answers {
             too_mild: Some(why),
             ..falls(FallsAnswer::Close)
