@@ -13,9 +13,10 @@ use super::trial::{Question, Trial, live};
 pub(super) fn check(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
     let stays = |trial: &Trial| trial.side(context, Question::Falls) == Side::Below;
     let again = |(place, trial): (usize, &Trial)| {
-        let item = trial.member.item;
-        let subject = trial.subject.on_stiff_floor(item)?;
-        stays(trial).then(|| (place, subject))
+        if !stays(trial) {
+            return None;
+        }
+        Some((place, trial.subject.on_stiff_floor(trial.member.item)?))
     };
     let (places, mut tried): (Vec<usize>, Vec<Trial>) = trials
         .iter()

@@ -15,6 +15,7 @@
 
 pub mod barrier;
 pub mod contact;
+mod lanes;
 pub mod poses;
 mod rolling;
 pub mod shake;

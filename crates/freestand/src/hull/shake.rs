@@ -16,6 +16,7 @@
 
 use pulp::Arch;
 
+use super::lanes::{LANES, lanes};
 use super::poses::StablePose;
 use super::wall::{Beside, HullWall, Moving};
 use super::{HullBody, HullError, Vector, rolling};
@@ -62,9 +63,6 @@ impl Contact {
 
 /// Tilt from the pose above which a body has overturned \[rad\].
 pub const OVERTURNED_RAD: f64 = std::f64::consts::PI / 3.0;
-
-/// Points whose heights are calculated at once.
-pub(super) const LANES: usize = 8;
 
 /// The longest step \[s\].
 const STEP_S: f64 = 1e-4;
@@ -422,17 +420,6 @@ fn upright(down: &Vector, yaw_rad: f64) -> Turn {
 fn normalised(turn: Turn) -> Turn {
     let norm = turn.iter().map(|x| x * x).sum::<f64>().sqrt();
     turn.map(|x| x / norm)
-}
-
-/// Points by coordinate, [`LANES`] at once.
-pub(super) fn lanes(points_m: &[Vector]) -> Vec<[[f64; LANES]; 3]> {
-    // The last lanes have no point of their own; what stands there is the centre of gravity, inside the body.
-    let none = [0.0; 3];
-    let lanes = points_m.chunks(LANES).map(|points| {
-        let at = |lane: usize| points.get(lane).unwrap_or(&none);
-        [0, 1, 2].map(|axis| std::array::from_fn(|lane| at(lane)[axis]))
-    });
-    lanes.collect()
 }
 
 fn times(m: &[Vector; 3], v: &Vector) -> Vector {

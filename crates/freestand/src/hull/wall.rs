@@ -5,7 +5,7 @@
 //! an edge together have the stiffness k_w and the damping ratio ζ_w = c_w/(2√(k_w m)).
 
 use super::Vector;
-use super::shake::{LANES, lanes};
+use super::lanes::{LANES, lanes};
 use crate::space::{Shift, cross, dot, turned, turned_back};
 
 /// A wall beside a body.
