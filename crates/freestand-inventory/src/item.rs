@@ -447,7 +447,8 @@ fn shape(
     size: &mut Size,
     mass_kg: Option<f64>,
 ) -> ItemShape {
-    let text = values.text(Column::RestsOn);
+    let text = values.shown(Column::RestsOn).unwrap_or_default();
+    let file = values.text(Column::Scan);
     let feet = match are_points(&text).then(|| feet_of(&text)).transpose() {
         Ok(feet) => feet,
         Err(problem) => {
@@ -457,7 +458,7 @@ fn shape(
     };
     let found = match values.body() {
         Some(body) => Some(Ok(body)),
-        None if values.is_filled(Column::Scan) => scanned(values, scans, feet, mass_kg, size),
+        None if !file.is_empty() => scanned(values, scans, &file, feet, mass_kg, size),
         None => upright(size, feet, mass_kg).map(|upright| upright.body().map(Arc::new)),
     };
     match found {
@@ -469,7 +470,7 @@ fn shape(
         Some(Ok(body)) => {
             size.height_m = Some(body.height_m);
             size.cg_height_m = Some(body.standing.pose().cg_height_m);
-            if values.is_filled(Column::Scan) {
+            if !file.is_empty() {
                 size.thickness_m = Some(body.thickness_m());
                 size.width_m = None;
             }
@@ -526,12 +527,12 @@ fn upright(size: &Size, feet_m: Option<Vec<[f64; 2]>>, mass_kg: Option<f64>) -> 
 fn scanned(
     values: &mut Values<'_>,
     scans: &Scans,
+    file: &str,
     feet_m: Option<Vec<[f64; 2]>>,
     mass_kg: Option<f64>,
     size: &Size,
 ) -> Option<Result<Arc<BodyInPose>, Problem>> {
     let (height_m, cg_height_m) = (size.height_m, size.cg_height_m);
-    let file = values.text(Column::Scan);
     let unit_m = values.named(Column::ScanUnit, SCAN_UNITS);
     let base = values.named(Column::ScanBase, SCAN_BASES);
     let Some(unit_m) = unit_m else {
@@ -551,7 +552,7 @@ fn scanned(
         cg_height_m,
         mass_kg,
     };
-    let body = scans.body(&file, &scan);
+    let body = scans.body(file, &scan);
     if let (Ok(body), Some(height_m)) = (&body, height_m)
         && (body.height_m - height_m).abs() > SAME_HEIGHT * height_m
     {

@@ -7,8 +7,9 @@ use std::sync::Arc;
 use freestand::hull::barrier::Barrier;
 use freestand::hull::poses::StablePose;
 use freestand::hull::shake::{
-    Contact, HullOutcome, HullPoint, HullRocking, Sampling, Standing, shake_observed,
+    Contact, HullOutcome, HullPoint, HullRocking, Sampling, shake_observed,
 };
+use freestand::hull::standing::Standing;
 use freestand::hull::wall::HullWall;
 use freestand::hull::{Hull, HullBody, HullError, Vector};
 use freestand::motion::Motion;

@@ -7,6 +7,7 @@
 //! * [`poses`]: the poses in which a body can stand;
 //! * [`barrier`]: the hill that its centre of gravity must climb before it falls;
 //! * [`contact`]: the few points of its hull with which it touches the floor;
+//! * [`standing`]: the body in one of its poses;
 //! * [`shake`]: the body under a motion of the floor;
 //! * [`wall`]: walls beside it;
 //! * [`shapes`]: prisms and cylinders, on their outline or on feet.
@@ -20,6 +21,7 @@ pub mod poses;
 mod rolling;
 pub mod shake;
 pub mod shapes;
+pub mod standing;
 pub mod wall;
 
 use thiserror::Error;

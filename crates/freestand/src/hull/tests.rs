@@ -6,7 +6,7 @@ use crate::spatial::SpatialMotion;
 use shake::{Contact, HullOutcome, HullPoint, Sampling, shake_observed};
 
 fn shake(
-    body: &shake::Standing,
+    body: &standing::Standing,
     contact: &Contact,
     yaw_rad: f64,
     motion: &SpatialMotion,

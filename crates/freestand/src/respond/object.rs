@@ -2,7 +2,8 @@
 
 use crate::block::Block;
 use crate::compliant::CompliantBase;
-use crate::hull::shake::{Contact, Standing};
+use crate::hull::shake::Contact;
+use crate::hull::standing::Standing;
 use crate::motion::Motion;
 use crate::rocking::{Base, Restitution};
 use crate::sliding::{Clearance, Friction};

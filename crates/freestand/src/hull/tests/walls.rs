@@ -4,9 +4,8 @@ use std::f64::consts::PI;
 
 use super::super::shapes::{Outline, upright};
 use super::super::wall::HullWall;
-use super::shake::{
-    Contact, HullOutcome, HullPoint, HullRocking, Sampling, Standing, shake_observed,
-};
+use super::shake::{Contact, HullOutcome, HullPoint, HullRocking, Sampling, shake_observed};
+use super::standing::Standing;
 use super::*;
 use crate::compliant::EdgeSide;
 use crate::cushion::{ContactLaw, Cushion};
