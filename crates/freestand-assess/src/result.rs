@@ -4,10 +4,9 @@ use crate::capacity::Capacity;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
+pub use freestand_inventory::too_mild::TooMild;
 pub use freestand_study::result::Ranked;
 pub use freestand_study::study::Unstated;
-
-pub use freestand_inventory::too_mild::TooMild;
 
 pub use crate::reason::Criterion;
 use crate::reason::{Note, Reason};
@@ -257,12 +256,11 @@ pub struct Rolled {
     pub is_at_least: bool,
     /// The way to its stop; `None`: nothing stops it \[m\].
     pub clearance_m: Option<f64>,
-    /// The least room on every side that would suffice: the upper end of the probability that it needs
-    /// more is below the accepted one; with too few worlds for that, the most that it needs \[m\].
+    /// The least room on every side with the upper end of P(more) below what is accepted, else the most \[m\].
     pub clearance_needed_m: f64,
     /// Room on every side that 50, 84 and 98 % of the worlds do not exceed, turned as it is in each \[m\].
     pub room_m: [f64; 3],
-    /// Share of the worlds in which it reaches its stop.
+    /// Share of worlds in which it reaches its stop.
     pub stop_share: f64,
     /// Speed at the stop that 84 % of the worlds do not exceed; `None`: it does not reach it \[m/s\].
     pub stop_speed_m_s_p84: Option<f64>,
