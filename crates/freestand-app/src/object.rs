@@ -42,7 +42,7 @@ request! { question
         /// Height of the centre of gravity [default: half of the height]
         #[arg(long, value_name = "LENGTH", help_heading = "The object")]
         pub cg_height: Option<Written>,
-        /// Its shape, in three dimensions. A cylinder beside a wall is calculated as the square prism around it.
+        /// Its shape, in three dimensions. A cylinder beside a wall lower than it is calculated as the square prism around it.
         #[command(flatten)]
         pub shape: BodyShape,
         /// Mass

@@ -148,7 +148,7 @@ struct Call {
     function: &'static str,
     /// Keys whose values are given without a name.
     first: &'static [&'static str],
-    /// Keys in place of which these may be missing.
+    /// Keys any of which lets those of `first` be missing.
     instead: &'static [&'static str],
     /// Whether a key is one of its other arguments; parts of a request may be objects in Python.
     takes: fn(&str) -> bool,

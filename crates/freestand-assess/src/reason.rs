@@ -240,9 +240,11 @@ pub enum Note {
     OneComponent,
     /// It is followed on the points of its hull, which is too mild; its pads do not count, and no shock is calculated.
     OnHull,
+    /// The wall beside a body is lower than it, and is left out.
+    LowWall,
     /// A stack moves in the plane of the thickness.
     StackInPlane,
-    /// On the ground, synthetic worlds have fewer of the rarest falls than recorded motions.
+    /// On the ground, synthetic worlds may have fewer of the rarest falls than recorded motions.
     LowestTail,
 }
 

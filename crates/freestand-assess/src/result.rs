@@ -256,7 +256,7 @@ pub struct Rolled {
     pub is_at_least: bool,
     /// The way to its stop; `None`: nothing stops it \[m\].
     pub clearance_m: Option<f64>,
-    /// The least room on every side with the upper end of P(more) below what is accepted, else the most \[m\].
+    /// The least room on every side for which the upper end of P(it needs more) is below the accepted one, else the most \[m\].
     pub clearance_needed_m: f64,
     /// Room on every side that 50, 84 and 98 % of the worlds do not exceed, turned as it is in each \[m\].
     pub room_m: [f64; 3],

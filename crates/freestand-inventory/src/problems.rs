@@ -383,9 +383,12 @@ impl Findings {
         self.all.get_mut(*at)
     }
 
-    /// Replaces the hint of a problem.
+    /// Replaces the hint of a problem; that of its first cell stays, as its message does.
     pub(super) fn hint(&mut self, kind: Kind, place: Place<'_>, hint: &str) {
-        if let Some(finding) = self.at(kind, place) {
+        if let Some(finding) = self
+            .at(kind, place)
+            .filter(|found| found.hint == kind.hint())
+        {
             hint.clone_into(&mut finding.hint);
         }
     }

@@ -8,7 +8,7 @@ use freestand_input::file::InputFile;
 use freestand_input::problem::Problem;
 use freestand_scan::formats::read_mesh;
 use freestand_scan::mesh::Mesh;
-use freestand_study::hull::body::Scan;
+use freestand_study::hull::body::{Scan, ScanBase};
 use freestand_study::hull::{BodyInPose, Surface};
 
 /// What several rows ask for and the first of them makes.
@@ -20,7 +20,7 @@ pub(super) struct Scans {
     folder: PathBuf,
     files: Once<String, (InputFile, Mesh)>,
     /// By the file and what is said of it: a large scan is often that of many objects.
-    bodies: Once<(String, String), Arc<BodyInPose>>,
+    bodies: Once<(String, Said), Arc<BodyInPose>>,
 }
 
 impl Scans {
@@ -37,8 +37,7 @@ impl Scans {
         if let Some(problem) = scan.contradictions().problems.into_iter().next() {
             return Err(problem);
         }
-        let key = (file.to_owned(), format!("{scan:?}"));
-        let once = once(&self.bodies, key);
+        let once = once(&self.bodies, (file.to_owned(), Said::of(scan)));
         let made = once.get_or_init(|| {
             let mesh = self::once(&self.files, file.to_owned());
             let read = mesh.get_or_init(|| read_mesh(&self.folder.join(file)));
@@ -62,6 +61,29 @@ impl Scans {
             .collect();
         read.sort_by(|a, b| a.path.cmp(&b.path));
         read
+    }
+}
+
+/// What a row says of a scan, with the bits of its numbers.
+#[derive(PartialEq, Eq, Hash)]
+struct Said {
+    unit_m: u64,
+    base: Option<ScanBase>,
+    feet_m: Option<Vec<[u64; 2]>>,
+    cg_height_m: Option<u64>,
+    mass_kg: Option<u64>,
+}
+
+impl Said {
+    fn of(scan: &Scan) -> Self {
+        let bits = |feet: &Vec<[f64; 2]>| feet.iter().map(|foot| foot.map(f64::to_bits)).collect();
+        Self {
+            unit_m: scan.unit_m.to_bits(),
+            base: scan.base,
+            feet_m: scan.feet_m.as_ref().map(bits),
+            cg_height_m: scan.cg_height_m.map(f64::to_bits),
+            mass_kg: scan.mass_kg.map(f64::to_bits),
+        }
     }
 }
 

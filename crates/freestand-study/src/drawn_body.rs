@@ -97,8 +97,9 @@ pub fn drawn_body(
         (HullOutcome::Shifted(_), _) => "shifted",
         (_, Outcome::Overturned) => "overturned",
         (_, Outcome::Unresolved) => "unresolved",
+        (_, Outcome::Leaned) => "leaned",
         (_, Outcome::Rocked { .. }) => "rocked",
-        _ => "no-uplift",
+        (_, Outcome::Stood | Outcome::Rolled | Outcome::Slid) => "no-uplift",
     };
     let is_round = body.kind == BodyKind::Cylinder;
     Ok(DrawnHistory {
@@ -135,7 +136,7 @@ pub fn drawn_body(
 /// As for that.
 pub fn drawn_of_hull(request: &HullRequest) -> Result<DrawnHistory, Problem> {
     let on = OnHull {
-        body: request.body.standing.clone(),
+        body: request.beside(request.cushion()),
         contact: request.contact,
         yaw_rad: request.orientation_rad,
     };

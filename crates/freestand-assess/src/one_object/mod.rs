@@ -385,7 +385,9 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
             "leave `width` out",
         );
     }
-    surroundings_agree(surroundings, *width_m, &mut note);
+    // A body has its own sides.
+    let has_width = width_m.is_some() || body.is_some();
+    surroundings_agree(surroundings, has_width, &mut note);
     if let Some(upper) = &surroundings.upper
         && (mass_kg.is_none() || rests_on.is_none() || upper.mass_kg.is_none())
     {
@@ -553,7 +555,7 @@ fn unused(object: &Object, subject: &Subject) -> Vec<Unused> {
 /// What is said of a wall, a neighbour or casters that the object does not have.
 fn surroundings_agree(
     around: &Surroundings,
-    width_m: Option<f64>,
+    has_width: bool,
     note: &mut impl FnMut(&[&'static str], &str, &str),
 ) {
     let is_free = around.casters == Some(Casters::Free);
@@ -577,7 +579,7 @@ fn surroundings_agree(
             "add `wall_gap`, `neighbour_gap` or `casters = \"free\"`, or leave it out",
         );
     }
-    if around.neighbour_gap_m.is_some() && width_m.is_none() && !is_free {
+    if around.neighbour_gap_m.is_some() && !has_width && !is_free {
         note(
             &["neighbour_gap", "width", "casters"],
             "`neighbour_gap` is measured in the direction of the width, which is not given",

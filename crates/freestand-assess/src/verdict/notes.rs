@@ -24,7 +24,15 @@ pub(super) fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<Note>,
             }
         }
         Way::Stack(_) => notes.push(Note::StackInPlane),
-        Way::Hull(..) => notes.push(Note::OnHull),
+        Way::Hull(_, beside) => {
+            notes.push(Note::OnHull);
+            let item = trial.member.item;
+            let is_low = |wall_m: f64| item.height_m.is_some_and(|height_m| wall_m < height_m);
+            let around = &item.surroundings;
+            if beside.is_none() && around.has_wall() && around.wall_height_m.is_some_and(is_low) {
+                notes.push(Note::LowWall);
+            }
+        }
         Way::Planar | Way::Walled(_) | Way::Rolls(_) | Way::Slides(_) => {}
     }
     Ok(notes)
@@ -33,7 +41,7 @@ pub(super) fn space_notes(context: &Context, trial: &Trial) -> Result<Vec<Note>,
 /// The largest accepted probability at which the rarest falls decide on *leave*.
 const RARE_RATIO: f64 = 0.05;
 
-/// Where *leave* rests on rare falls on the ground in synthetic worlds, which have too few of them (docs/validation.md).
+/// Where *leave* rests on rare falls on the ground in synthetic worlds, which may have too few of them (docs/validation.md).
 pub(super) fn lowest_tail(context: &Context, trial: &Trial, decision: Decision) -> Option<Note> {
     let is_rare = decision == Decision::Leave && trial.member.accepted_ratio <= RARE_RATIO;
     let is_synthetic = context.worlds.records().is_none();

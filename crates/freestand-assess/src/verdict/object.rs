@@ -317,6 +317,12 @@ impl Beside {
         gaps_m.into_iter().flatten().any(|gap_m| gap_m < TOUCHING_M)
     }
 
+    /// Whether a body of this height may reach any of it.
+    fn is_near(&self, height_m: f64) -> bool {
+        let gaps_m = [self.wall_gap_m, self.neighbour_gap_m];
+        gaps_m.into_iter().flatten().any(|gap_m| gap_m < height_m)
+    }
+
     fn is_lower_than(&self, height_m: f64) -> bool {
         self.height_m.is_some_and(|wall_m| wall_m < height_m)
     }
@@ -574,9 +580,15 @@ impl Subject {
         let has_low_wall = way
             .walls()
             .is_some_and(|beside| beside.is_lower_than(height_m));
-        let way = match item.shape {
-            ItemShape::Body(_) if has_low_wall => Way::Planar,
-            _ => way,
+        let way = match (way, &item.shape, beside) {
+            // Its symmetric block would reach less far than the body, and has no width.
+            (Way::Planar | Way::Walled(_) | Way::Spatial(_), ItemShape::Body(_), Some(beside)) => {
+                match beside.is_near(height_m) && !beside.is_lower_than(height_m) {
+                    true => Way::Walled(beside),
+                    false => Way::Planar,
+                }
+            }
+            (way, ..) => way,
         };
         let on_hull = match (&way, &item.shape) {
             (Way::Planar | Way::Walled(_) | Way::Spatial(_), ItemShape::Round) if !has_low_wall => {

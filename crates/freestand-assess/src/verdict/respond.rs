@@ -123,15 +123,20 @@ impl Drawn<'_> {
         let (height, side) = self.draw.factors();
         let pose = body.standing.scaled([side, side, height], 1.0);
         let pose = pose.pose();
-        let cg_ratio = self.draw.hull.map_or(0.0, |drawn| drawn.cg_ratio);
-        let up_m = match body.kind.is_scan() && !body.is_cg_stated {
-            true => cg_ratio * pose.cg_height_m,
-            false => 0.0,
-        };
+        let up_m = self.cg_rise_m(body, pose);
         Drawing {
             scale_ratio: [side, side, height],
             shift_m: pose.down.map(|x| up_m * x),
         }
+    }
+
+    /// How much higher than that of a uniform body its centre of gravity is drawn, of a scan of which nobody stated it \[m\].
+    fn cg_rise_m(self, body: &BodyInPose, pose: &StablePose) -> f64 {
+        let drawn = self
+            .draw
+            .hull
+            .filter(|_| body.kind.is_scan() && !body.is_cg_stated);
+        drawn.map_or(0.0, |drawn| drawn.cg_ratio * pose.cg_height_m)
     }
 
     pub(super) fn on_hull(self, body: &BodyInPose, beside: Option<&Beside>) -> Option<OnHull> {
@@ -150,10 +155,7 @@ impl Drawn<'_> {
                 true => &waves[..],
                 false => &[],
             };
-            let up_m = match body.is_cg_stated {
-                true => 0.0,
-                false => drawn.cg_ratio * standing.pose().cg_height_m,
-            };
+            let up_m = self.cg_rise_m(body, standing.pose());
             standing = standing.uneven(up_m, waves);
         }
         let contact = Contact {
@@ -164,7 +166,7 @@ impl Drawn<'_> {
         let beside = beside.zip(self.draw.wall.as_ref());
         let walls = beside.map(|(beside, drawn)| {
             let edge_n_m = contact.edge_n_m(standing.mass_kg(), G0_M_S2);
-            // What is given applies to the mass of the object alone.
+            // A stated stiffness counts only where the mass is known.
             let stated = beside
                 .stiffness_n_m
                 .filter(|_| self.subject.mass_kg.is_some());

@@ -411,6 +411,19 @@ fn a_scan_has_a_history_and_a_surface() {
     let told = found["peak_tilt_rad"].as_f64().unwrap();
     // The largest tilt may lie between two points.
     assert!((peak - told).abs() < 3.5e-4, "{peak} {told}");
+    // Beside walls that it leans on, its history ends as the answer does.
+    let options = json!({
+        "shape": "box", "height": "1.5 m", "thickness": "0.3 m", "width": "0.4 m", "unit": "g", "dt": "10 ms",
+        "wall-gap-left": "0.5 m", "wall-gap-right": "0.5 m", "wall-damping": "0.1", "mass": "80 kg",
+        "wall-stiffness": "1000 N/mm",
+    });
+    let mut beside = with_options("rock", &options);
+    beside["files"] = json!({"motion": motion});
+    beside["history"] = json!(true);
+    let (status, found) = page.run(&beside);
+    assert_eq!(status, 200, "{found}");
+    assert_eq!(found["outcome"], "leaned");
+    assert_eq!(found["history"]["outcome"], "leaned");
     // An object in a plane has no surface.
     let flat = json!({"height": "1 m", "thickness": "0.3 m", "pga": "0.3 g"});
     let (status, told) = page.post(
@@ -420,4 +433,30 @@ fn a_scan_has_a_history_and_a_surface() {
     );
     assert_eq!(status, 400, "{told}");
     assert!(message(&told["error"]).contains("in a plane"), "{told}");
+}
+
+/// A list names scans that were sent with it, and no other file of the machine: whether there is one is not told.
+#[test]
+fn a_list_cannot_name_other_files_as_scans() {
+    let page = Page::open();
+    let folder = tempfile::tempdir().unwrap();
+    let list = folder.path().join("list.csv");
+    for named in [
+        "/etc/passwd",
+        "/no/such/file",
+        "../../../../etc/passwd",
+        "gone.obj",
+    ] {
+        let text = format!("id,level_ratio,scan,scan unit\na,0,{named},m\n");
+        std::fs::write(&list, text).unwrap();
+        let request =
+            json!({"command": "inventory check", "files": {"file": [page.upload(&list)]}});
+        let (status, answer) = page.run(&request);
+        assert_eq!(status, 200, "{answer}");
+        let told = answer["problems"].to_string();
+        assert!(
+            told.contains("is not a file of this request"),
+            "{named}: {told}"
+        );
+    }
 }

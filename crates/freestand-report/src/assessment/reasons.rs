@@ -613,6 +613,10 @@ fn of_note(note: &Note, found: &Assessment) -> String {
              two rocks on a shake table. Its pads are ignored, and the shock of its landings is not calculated."
                 .to_owned()
         }
+        Note::LowWall => {
+            "The wall beside it is lower than the object and is left out: it is calculated as if it stood freely."
+                .to_owned()
+        }
         Note::StackInPlane => {
             "The object and what stands on it move in the plane of the thickness, with the same pads and the same \
              friction under both. The shock is that of the object itself, and forces for a restraint leave out what \
@@ -620,7 +624,7 @@ fn of_note(note: &Note, found: &Assessment) -> String {
                 .to_owned()
         }
         Note::LowestTail => {
-            "On the ground, synthetic motions have too few of the rarest falls: a probability of a few percent or less may be \
+            "On the ground, synthetic motions may have too few of the rarest falls: a probability of a few percent or less may be \
              twice as large or more."
                 .to_owned()
         }

@@ -189,7 +189,7 @@ pub const SCAN_BASES: Choices<ScanBase> = &[
     (
         ScanBase::Flat,
         "flat",
-        "Nobody saw it: what is within --scan-error of the lowest point is on the floor",
+        "Nobody saw it: what is within the error of the scan from its lowest point is on the floor",
     ),
 ];
 

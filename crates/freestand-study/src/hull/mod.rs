@@ -244,6 +244,33 @@ impl HullRequest {
             vertical: self.vertical.as_ref(),
         }
     }
+
+    /// Stiffness of an edge of the body \[N/m\].
+    fn edge_n_m(&self) -> f64 {
+        let mass_kg = self.body.standing.mass_kg();
+        self.contact.edge_n_m(mass_kg, self.gravity_m_s2)
+    }
+
+    /// k_w and ζ_w of its walls: what was given, else those of an edge and of the contacts.
+    pub(crate) fn cushion(&self) -> (f64, f64) {
+        let given = self.wall_cushion;
+        (
+            given.stiffness_n_m.unwrap_or(self.edge_n_m()),
+            given.damping_ratio.unwrap_or(self.contact.damping_ratio),
+        )
+    }
+
+    /// The body beside its walls with this k_w and ζ_w.
+    pub(crate) fn beside(&self, (stiffness_n_m, damping_ratio): (f64, f64)) -> Standing {
+        let wall = |&(toward_rad, gap_m): &(f64, f64)| HullWall {
+            toward_rad,
+            gap_m,
+            stiffness_n_m,
+            damping_ratio,
+        };
+        let walls = self.walls.iter().map(wall).collect();
+        self.body.standing.clone().beside(walls)
+    }
 }
 
 answer! {
@@ -403,8 +430,10 @@ pub struct HullReport {
 }
 
 pub(crate) fn not_followed(error: HullError) -> Problem {
-    let hint =
-        "resample one of them to the step and length of the other first, with motion convert";
+    let hint = match error {
+        HullError::Motion => "resample one of them to the step and length of the other first",
+        _ => "check the contacts, the walls and the mass",
+    };
     Problem::value(error.to_string(), hint)
 }
 
@@ -415,16 +444,9 @@ pub(crate) fn not_followed(error: HullError) -> Problem {
 pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
     let motion = request.motion();
     let mut history = Vec::new();
-    let mut beside = |(stiffness_n_m, damping_ratio): (f64, f64), is_sampled: bool| {
-        let wall = |&(toward_rad, gap_m): &(f64, f64)| HullWall {
-            toward_rad,
-            gap_m,
-            stiffness_n_m,
-            damping_ratio,
-        };
-        let body = request.body.standing.clone();
+    let mut beside = |cushion: (f64, f64), is_sampled: bool| {
         let rocking = shake_observed(
-            &body.beside(request.walls.iter().map(wall).collect()),
+            &request.beside(cushion),
             &request.contact,
             request.orientation_rad,
             &motion,
@@ -438,13 +460,7 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
         );
         rocking.map_err(not_followed)
     };
-    let (given, contact) = (request.wall_cushion, &request.contact);
-    let edge_n_m = contact.edge_n_m(request.body.standing.mass_kg(), request.gravity_m_s2);
-    let cushion = (
-        given.stiffness_n_m.unwrap_or(edge_n_m),
-        given.damping_ratio.unwrap_or(contact.damping_ratio),
-    );
-    let rocking = beside(cushion, request.is_sampled)?;
+    let rocking = beside(request.cushion(), request.is_sampled)?;
     if rocking.outcome == HullOutcome::Unsettled {
         let message = format!(
             "the body does not come to rest in its pose before the floor moves: it falls if its centre of gravity rises \
@@ -457,7 +473,9 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
         ));
     }
     let mut warnings = Vec::new();
-    if let Some(ends) = given.ends(edge_n_m).filter(|_| !request.walls.is_empty()) {
+    let edge_n_m = request.edge_n_m();
+    let ends = request.wall_cushion.ends(edge_n_m);
+    if let Some(ends) = ends.filter(|_| !request.walls.is_empty()) {
         let [soft, stiff] = ends.map(|cushion| -> Result<Ended, Problem> {
             let found = beside(cushion, false)?;
             let ratios = (cushion.0 / edge_n_m, cushion.1);

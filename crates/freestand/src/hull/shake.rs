@@ -51,7 +51,7 @@ impl Default for Contact {
 }
 
 impl Contact {
-    /// The stiffness of an edge of a body: of two points \[N/m\].
+    /// The stiffness of an edge of a body, of two points: 2 m g/(3δ) \[N/m\].
     pub fn edge_n_m(&self, mass_kg: f64, gravity_m_s2: f64) -> f64 {
         2.0 * self.point_n_m(mass_kg, gravity_m_s2)
     }

@@ -64,7 +64,8 @@ pub fn wall_restitution_at(share: f64) -> f64 {
     DEFAULT_WALL_RESTITUTION_RATIO * share
 }
 
-/// The stiffness ratio of a wall which a share of all walls stays below, and the damping ratio which it stays above.
+/// The stiffness ratio of a wall which a share of all walls stays below, and the damping ratio which it stays above: a
+/// larger share is stiffer and less damped, as for pads.
 pub fn wall_cushion_at(share: f64) -> (f64, f64) {
     let ((soft, stiff), (least, most)) = (WALL_STIFFNESS_RATIO, WALL_DAMPING_RATIO);
     (

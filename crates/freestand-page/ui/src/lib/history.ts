@@ -96,7 +96,7 @@ const STILL_BODY_RAD = 5e-4;
 const stillness = ({ space }: History) => (space ? STILL_BODY_RAD : STILL_RAD);
 
 /** Whether an object can only fall at this point; the tilt of a body says so only where the program does. */
-const isPast = ({ space, outcome, balance_rad }: History, theta: number) => Math.abs(theta) >= balance_rad && (!space || outcome === 'overturned' || outcome === 'shifted');
+const isPast = ({ space, outcome, balance_rad }: History, theta: number) => Math.abs(theta) >= balance_rad && (!space || outcome === 'overturned' || outcome === 'leaned' || outcome === 'shifted');
 
 /** Where an object is to be seen first: at its largest tilt, or on its way down. */
 export function telling(history: History): number {

@@ -185,6 +185,7 @@ fn every_reason_in_words() {
         Note::Flat(Flat::Stack),
         Note::OneRealisation,
         Note::OneComponent,
+        Note::LowWall,
         Note::StackInPlane,
         Note::LowestTail,
     ];

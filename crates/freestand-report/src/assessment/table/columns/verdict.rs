@@ -206,7 +206,7 @@ pub(super) const COLUMNS: &[Column] = &[
     }),
     flag(
         "is_round",
-        "whether it is round: not calculated in three dimensions, and never left as it is",
+        "whether it is round: its model underestimates how often it falls, so it is left only where more than 8 % is accepted",
         |l| yes(Some(l.item.is_round())),
     ),
     count(
