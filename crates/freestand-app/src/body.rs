@@ -101,6 +101,14 @@ pub(crate) const OF_SCAN: [&str; 5] = [
     "stand_on",
 ];
 
+impl BodyShape {
+    /// Whether it is a polygon.
+    pub(crate) fn is_polygon(&self) -> bool {
+        let named = self.shape.as_ref().map(|shape| Form::of(&shape.text()));
+        matches!(named, Some(Ok(Form::Polygon(_))))
+    }
+}
+
 /// Whether an object is neither a box nor a cylinder on its own outline.
 pub(crate) fn is_body(read: &WordReader<'_>, shape: Option<&Written>) -> bool {
     let named = shape.map(|shape| Form::of(&shape.text()));

@@ -301,6 +301,9 @@ impl Object {
                 let sizes = ["height", "thickness", "width", "diameter"];
                 read.idle(&sizes, "a scan has its own");
             }
+            if !read.has("scan") && self.shape.is_polygon() {
+                read.idle(&["width"], "a polygon has a diameter");
+            }
             return body::body(read, mass_kg, files).map(one_object::Object::of_body);
         }
         let is_round = body::named(read) == Some(Form::Cylinder);

@@ -31,8 +31,8 @@ use super::wheels::{Wheels, casters, may_roll, names_wheels};
 use super::{Casters, Consequences, Item, ItemShape, Surroundings, UpperBody};
 use freestand_study::restitution::checked;
 
-/// How far the height of a list may be from that of a scan, over the former.
-const SAME_HEIGHT: f64 = 0.1;
+/// How far a size of a list may be from that of a scan, over the former.
+const SAME_SIZE: f64 = 0.1;
 
 /// The largest resistance of rolling wheels over the weight, on a carpet or a rough floor.
 const WHEEL_FRICTION: f64 = 0.1;
@@ -431,6 +431,11 @@ fn round(values: &mut Values<'_>, size: &mut Size, is_marked: bool) {
         None => Form::Box,
     };
     if size.form != Form::Box {
+        if !is_equal && size.thickness_m.is_some() && size.width_m.is_some() {
+            let detail =
+                "differs from the thickness of an object with one diameter, which was used";
+            values.report(Column::Width, Kind::TwoColumns, detail);
+        }
         size.width_m = size.width_m.or(size.thickness_m);
         size.thickness_m = size.thickness_m.or(size.width_m);
         if shape.is_none() && !is_marked {
@@ -459,7 +464,8 @@ fn shape(
     let found = match values.body() {
         Some(body) => Some(Ok(body)),
         None if !file.is_empty() => scanned(values, scans, &file, feet, mass_kg, size),
-        None => upright(size, feet, mass_kg).map(|upright| upright.body().map(Arc::new)),
+        None => upright(size, feet, mass_kg)
+            .map(|upright| upright.and_then(|upright| upright.body().map(Arc::new))),
     };
     match found {
         None => match size.form {
@@ -488,39 +494,49 @@ fn shape(
     }
 }
 
-/// Whether a text is of pairs of numbers, and no words: "four feet; two with pads" is none.
+/// Whether a text is of pairs of numbers: "four feet; two with pads" is none.
 fn are_points(text: &str) -> bool {
-    let is_number = |text: &str| {
-        let text = text.trim_start().trim_start_matches(['-', '+', '−', '.']);
-        text.starts_with(|c: char| c.is_ascii_digit())
+    let has_digit = |text: &str| text.contains(|c: char| c.is_ascii_digit());
+    let is_point = |text: &&str| {
+        let halves = text.split_once(',');
+        halves.is_some_and(|(x, y)| has_digit(x) && has_digit(y))
     };
-    let is_point = |text: &str| {
-        text.split_once(',')
-            .is_some_and(|(x, y)| is_number(x) && is_number(y))
-    };
-    text.contains(';')
-        && text
-            .split(';')
-            .filter(|text| !text.trim().is_empty())
-            .all(is_point)
+    text.split([';', '\n']).filter(is_point).count() > 1
 }
 
 /// The body of a polygon, or of any shape on feet, if it is one and its sizes are known.
-fn upright(size: &Size, feet_m: Option<Vec<[f64; 2]>>, mass_kg: Option<f64>) -> Option<Upright> {
+fn upright(
+    size: &Size,
+    feet_m: Option<Vec<[f64; 2]>>,
+    mass_kg: Option<f64>,
+) -> Option<Result<Upright, Problem>> {
     let (height_m, thickness_m) = size.height_m.zip(size.thickness_m)?;
-    let outline = match size.form {
-        Form::Polygon(corners) => Outline::Polygon(corners, thickness_m),
+    let has_base = size.base_thickness_m.is_some() || size.base_width_m.is_some();
+    if feet_m.is_some() && has_base {
+        let message = "is given beside the points on which it stands";
+        let problem = Problem::value(message, "leave it empty, or the points");
+        return Some(Err(problem.of(&["base_thickness"])));
+    }
+    let outline = match (size.form, size.width_m) {
+        // Feet under a polygon are on the circle through its corners.
+        (Form::Polygon(corners), _) => {
+            Outline::Polygon(corners, size.base_thickness_m.unwrap_or(thickness_m))
+        }
         _ if feet_m.is_none() => return None,
-        Form::Cylinder => Outline::Circle(thickness_m),
-        Form::Box => Outline::Box([thickness_m, size.width_m.unwrap_or(thickness_m)]),
+        (Form::Cylinder, _) => Outline::Circle(thickness_m),
+        (Form::Box, Some(width_m)) => Outline::Box([thickness_m, width_m]),
+        (Form::Box, None) => {
+            let message = "the width of an object on feet is not given";
+            return Some(Err(Problem::value(message, "give it").of(&["width"])));
+        }
     };
-    Some(Upright {
+    Some(Ok(Upright {
         outline,
         height_m,
         cg_height_m: size.cg_height_m,
         feet_m,
         mass_kg,
-    })
+    }))
 }
 
 /// The body of the scan that a row names.
@@ -532,7 +548,7 @@ fn scanned(
     mass_kg: Option<f64>,
     size: &Size,
 ) -> Option<Result<Arc<BodyInPose>, Problem>> {
-    let (height_m, cg_height_m) = (size.height_m, size.cg_height_m);
+    let cg_height_m = size.cg_height_m;
     let unit_m = values.named(Column::ScanUnit, SCAN_UNITS);
     let base = values.named(Column::ScanBase, SCAN_BASES);
     let Some(unit_m) = unit_m else {
@@ -553,21 +569,41 @@ fn scanned(
         mass_kg,
     };
     let body = scans.body(file, &scan);
-    if let (Ok(body), Some(height_m)) = (&body, height_m)
-        && (body.height_m - height_m).abs() > SAME_HEIGHT * height_m
-    {
-        let detail = format!(
-            "says {} m, and the scan is {} m high: one of them, or the unit of the scan, is wrong",
-            number(height_m, 3),
-            number(body.height_m, 3)
-        );
-        return Some(Err(Problem::value(
-            detail,
-            "correct it, or leave the height out",
-        )
-        .of(&["height"])));
-    }
+    let body = body.and_then(|body| agrees(values, size, &body).map(|()| body));
     Some(body)
+}
+
+/// Whether what the row says of its sizes is that of its scan, the sides in either order.
+fn agrees(values: &Values<'_>, size: &Size, body: &BodyInPose) -> Result<(), Problem> {
+    for column in [Column::BaseThickness, Column::BaseWidth, Column::Shape] {
+        if values.is_filled(column) {
+            let message = "is given beside a scan, which has its own";
+            return Err(Problem::value(message, "leave it empty").of(&[column.name()]));
+        }
+    }
+    let differs = |said_m: f64, found_m: f64| (said_m - found_m).abs() > SAME_SIZE * said_m;
+    let [x, y] = body.plan_m;
+    let sides = [
+        (Column::Height, size.height_m, [body.height_m; 2]),
+        (Column::Thickness, size.thickness_m, [x, y]),
+        (Column::Width, size.width_m, [x, y]),
+    ];
+    for (column, said_m, found_m) in sides {
+        let Some(said_m) = said_m else { continue };
+        if found_m.iter().all(|found_m| differs(said_m, *found_m)) {
+            let of_scan = match column {
+                Column::Height => format!("{} m high", number(body.height_m, 3)),
+                _ => format!("{} m by {} m", number(x, 3), number(y, 3)),
+            };
+            let message = format!(
+                "says {} m, and the scan is {of_scan}: one of them, or the unit of the scan, is wrong",
+                number(said_m, 3)
+            );
+            let hint = "correct it, or leave the size out";
+            return Err(Problem::value(message, hint).of(&[column.name()]));
+        }
+    }
+    Ok(())
 }
 
 /// The column of a problem of a body.

@@ -1,11 +1,12 @@
 //! The scans that a list names: files beside it, each read once, and the bodies that they are.
 
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use freestand_input::file::InputFile;
-use freestand_input::problem::Problem;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::quantity::shorten;
 use freestand_scan::formats::read_mesh;
 use freestand_scan::mesh::Mesh;
 use freestand_study::hull::body::{Scan, ScanBase};
@@ -40,7 +41,7 @@ impl Scans {
         let once = once(&self.bodies, (file.to_owned(), Said::of(scan)));
         let made = once.get_or_init(|| {
             let mesh = self::once(&self.files, file.to_owned());
-            let read = mesh.get_or_init(|| read_mesh(&self.folder.join(file)));
+            let read = mesh.get_or_init(|| self.read(file));
             let (_, mesh) = read
                 .as_ref()
                 .map_err(|problem| problem.clone().of(&["scan"]))?;
@@ -50,6 +51,19 @@ impl Scans {
             Ok(Arc::new(BodyInPose { surface, ..body }))
         });
         made.clone()
+    }
+
+    /// A file in the folder of the list: with the list, it can be sent and put elsewhere.
+    fn read(&self, file: &str) -> Result<(InputFile, Mesh), Problem> {
+        let path = Path::new(file);
+        let is_inside =
+            |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+        if !path.components().all(is_inside) {
+            let message = format!("\"{}\" is not in the folder of the list", shorten(file));
+            let hint = "put the scan beside the list, and give its name alone";
+            return Err(Problem::new(ProblemKind::Io, message).hint(hint));
+        }
+        read_mesh(&self.folder.join(path))
     }
 
     /// The files that were read, by name.

@@ -99,7 +99,7 @@ pub fn drawn_body(
         (_, Outcome::Unresolved) => "unresolved",
         (_, Outcome::Leaned) => "leaned",
         (_, Outcome::Rocked { .. }) => "rocked",
-        (_, Outcome::Stood | Outcome::Rolled | Outcome::Slid) => "no-uplift",
+        (_, Outcome::Stood | Outcome::Rolled(_) | Outcome::Slid(_)) => "no-uplift",
     };
     let is_round = body.kind == BodyKind::Cylinder;
     Ok(DrawnHistory {

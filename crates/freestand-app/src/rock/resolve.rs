@@ -705,7 +705,12 @@ impl Reader<'_, '_> {
                 .problems
                 .push(needs_a_gap().of(&["wall_gap_left"]));
         }
-        self.read.non_negative("wall_damping", Dimension::Ratio)
+        self.read.accepted(
+            "wall_damping",
+            Dimension::Ratio,
+            |ratio| (0.0..=1.0).contains(&ratio),
+            ["from 0 to 100 %", "such as \"10 %\""],
+        )
     }
 
     fn stack(&mut self, object: &Object, is_still: bool) -> Option<Asked> {

@@ -370,6 +370,20 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
                 "leave out `wall_height`, casters, what stands on it, `on` and `tolerance`, or describe it as a box",
             );
         }
+        if surroundings.wall_restitution.is_some() {
+            note(
+                &["wall_restitution"],
+                "`wall_restitution` has no effect beside an object on the points of its hull",
+                "leave it out: the wall has a stiffness and a damping there",
+            );
+        }
+        if surroundings.wall_stiffness_n_m.is_some() && mass_kg.is_none() {
+            note(
+                &["wall_stiffness", "mass"],
+                "`wall_stiffness` needs `mass` beside an object on the points of its hull",
+                "add `mass`, or leave it out",
+            );
+        }
     } else if thickness_m > height_m {
         note(
             &["thickness", "height"],

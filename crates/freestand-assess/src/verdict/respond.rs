@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use freestand::G0_M_S2;
 use freestand::compliant::{CompliantBase, EdgeSide};
 use freestand::cushion::{ContactLaw, Cushion};
+use freestand::hull::poses::StablePose;
 use freestand::hull::shake::Contact;
 use freestand::hull::wall::HullWall;
 use freestand::respond::{
@@ -169,7 +170,8 @@ impl Drawn<'_> {
             // A stated stiffness counts only where the mass is known.
             let stated = beside
                 .stiffness_n_m
-                .filter(|_| self.subject.mass_kg.is_some());
+                .filter(|_| self.subject.mass_kg.is_some())
+                .map(|given_n_m| contact.wall_n_m(given_n_m, standing.mass_kg(), G0_M_S2));
             let wall = |(toward_rad, gap_m): (f64, Option<f64>)| {
                 Some(HullWall {
                     toward_rad,

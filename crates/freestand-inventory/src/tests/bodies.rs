@@ -91,3 +91,41 @@ fn a_body_that_cannot_be_used_is_said_and_has_no_shape() {
     ];
     assert_eq!(found, expected);
 }
+
+/// What stands beside a shape in its row and contradicts it, or cannot be read, is said; nothing else takes its place.
+#[test]
+fn what_contradicts_a_body_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let feet = "-150 mm, -120 mm; 150 mm, -120 mm; 0 mm, 180 mm";
+    let typo = "x150 mm, -120 mm; 150 mm, -120 mm; 0 mm, 180 mm";
+    let cases = [
+        (format!("1000,400,400,,,\"{typo}\",,,"), "rests_on"),
+        (format!("1000,400,400,300,,\"{feet}\",,,"), "base_thickness"),
+        (format!("1000,400,,,,\"{feet}\",,,"), "width"),
+        (",700,,,,,box.obj,m,".to_owned(), "thickness"),
+        (",,,,cylinder,,box.obj,m,".to_owned(), "shape"),
+        (",,,,,,../box.obj,m,".to_owned(), "scan"),
+        ("1000,400,,,polygon:9999,,,,".to_owned(), "shape"),
+    ];
+    for (row, column) in cases {
+        let head = "id,height [mm],thickness [mm],width [mm],base thickness [mm],shape,feet,scan,scan unit,mass [kg]";
+        let read = read(folder.path(), &format!("{head}\na,{row}\n"));
+        let named: Vec<&str> = kinds(&read).into_iter().map(|(_, name)| name).collect();
+        assert_eq!(named, [column], "{row}: {:?}", read.findings);
+    }
+    // Sides in the other order and within a tenth are those of the scan; a polygon stands on its base.
+    let list = "id,height [mm],thickness [mm],width [mm],base thickness [mm],shape,scan,scan unit,scan base\n\
+        scan,1010,390,410,,,box.obj,m,measured\n\
+        foot,1000,400,,200,polygon:8,,,\n\
+        two sides,1000,400,900,,cylinder,,,\n";
+    let read = read(folder.path(), list);
+    assert_eq!(kinds(&read), [(Kind::TwoColumns, "width")]);
+    let ItemShape::Body(foot) = &read.items[1].shape else {
+        panic!("{:?}", read.items[1].shape);
+    };
+    let tip_m = foot.barrier.tilt_rad.tan() * 0.5;
+    assert!(
+        (tip_m - 0.1 * 22.5_f64.to_radians().cos()).abs() < 1e-4,
+        "{tip_m}"
+    );
+}

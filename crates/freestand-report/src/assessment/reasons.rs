@@ -9,7 +9,7 @@ use freestand_assess::result::{
 use freestand_assess::verdict::deciding;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, listed, number, percent_words as percent, significant};
-use freestand_inventory::{Casters, Item, Surroundings};
+use freestand_inventory::{Casters, Item, ItemShape, Surroundings};
 use freestand_study::study::Unstated;
 
 use super::compared::reach;
@@ -566,7 +566,7 @@ fn of_item(item: &Item) -> Vec<String> {
         };
         notes.push(note.to_owned());
     }
-    if item.width_m.is_none() {
+    if item.width_m.is_none() && !matches!(item.shape, ItemShape::Body(_)) {
         notes.push("No width is given, so rocking was computed about one axis only.".to_owned());
     }
     notes
@@ -610,7 +610,8 @@ fn of_note(note: &Note, found: &Assessment) -> String {
         }
         Note::OnHull => {
             "It is followed in three dimensions on a stiff floor, with a model that underestimated overturning in tests of \
-             two rocks on a shake table. Its pads are ignored, and the shock of its landings is not calculated."
+             two rocks on a shake table. Its pads and the restitution of its walls are ignored, and the shock of its landings is \
+             not calculated."
                 .to_owned()
         }
         Note::LowWall => {

@@ -593,6 +593,7 @@ fn assumptions(
     }
     if is_at_wall && is_given {
         let restitution = match around.wall_restitution {
+            _ if found.model == Some(ObjectModel::Hull) => String::new(),
             None => format!("; a restitution of {DEFAULT_WALL_RESTITUTION_RATIO} there"),
             Some(_) => String::new(),
         };

@@ -78,7 +78,9 @@ pub fn feet_of(text: &str) -> Result<Vec<[f64; 2]>, Problem> {
             Err(Problem::value(message, hint))
         }
     };
-    let points = text.split(';').filter(|text| !text.trim().is_empty());
+    let points = text
+        .split([';', '\n'])
+        .filter(|text| !text.trim().is_empty());
     let feet: Vec<[f64; 2]> = points.map(point).collect::<Result<_, _>>()?;
     match feet.len() {
         3..=MAX_FEET => Ok(feet),
@@ -156,8 +158,11 @@ impl Upright {
             _ => Problem::value(error.to_string(), "check the sizes and the feet"),
         };
         let (body, volume_m3) = solid.map_err(|error| unfit(error).of(&[key]))?;
-        BodyInPose::new(&body, kind, volume_m3, false, *mass_kg, 1, 0.0)
-            .map_err(|problem| problem.of(&[key]))
+        let posed = BodyInPose::new(&body, kind, volume_m3, false, *mass_kg, 1, 0.0);
+        posed.map_err(|problem| match feet_m {
+            Some(_) => unfit(HullError::Outside).of(&[key]),
+            None => problem.of(&[key]),
+        })
     }
 }
 

@@ -124,6 +124,8 @@ pub struct BodyInPose {
     pub pose: usize,
     /// Its height \[m\].
     pub height_m: f64,
+    /// Its outer sizes along the axes in which it stands, x and y \[m\].
+    pub plan_m: [f64; 2],
     /// How far the surface of a scan may be from the true one \[m\].
     pub scan_error_m: f64,
     /// Whether the height of the centre of gravity of a scan was stated; else it is that of a uniform body.
@@ -182,6 +184,8 @@ impl BodyInPose {
         };
         let barrier = body.hull.barrier(standing.pose());
         let standing_down = standing.pose().down;
+        let [x, y, _] = standing.pose().axes();
+        let plan_m = [x, y].map(|axis| extent_m(body, axis));
         Ok(Self {
             kind,
             standing,
@@ -190,7 +194,8 @@ impl BodyInPose {
             is_hull_of_scan,
             mass_kg,
             pose,
-            height_m: height_m(body, standing_down),
+            height_m: extent_m(body, standing_down),
+            plan_m,
             scan_error_m,
             is_cg_stated: false,
             surface: Surface::of_hull(&body.hull),
@@ -198,10 +203,10 @@ impl BodyInPose {
     }
 }
 
-/// From the floor to the highest vertex \[m\].
-fn height_m(body: &HullBody, down: Vector) -> f64 {
-    let up = down.map(|x| -x);
-    body.hull.height_m(&down) + body.hull.height_m(&up)
+/// The extent of a body in a direction \[m\].
+fn extent_m(body: &HullBody, toward: Vector) -> f64 {
+    let back = toward.map(|x| -x);
+    body.hull.height_m(&toward) + body.hull.height_m(&back)
 }
 
 fn cannot_stand(error: HullError) -> Problem {
@@ -255,7 +260,10 @@ impl HullRequest {
     pub(crate) fn cushion(&self) -> (f64, f64) {
         let given = self.wall_cushion;
         (
-            given.stiffness_n_m.unwrap_or(self.edge_n_m()),
+            given.stiffness_n_m.map_or(self.edge_n_m(), |given_n_m| {
+                let mass_kg = self.body.standing.mass_kg();
+                self.contact.wall_n_m(given_n_m, mass_kg, self.gravity_m_s2)
+            }),
             given.damping_ratio.unwrap_or(self.contact.damping_ratio),
         )
     }
