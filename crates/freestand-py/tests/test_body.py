@@ -60,8 +60,8 @@ def test_an_object_may_be_a_body():
     scan = SimpleNamespace(vertices=corners(), faces=np.array(FACES))
     found = fs.check_object(body=fs.Body.from_mesh(scan, "m", base="measured"), motions=motion(0.15))
     assert found.motions_overturned == 0
-    with pytest.raises(fs.BadValue, match="nothing beside, under or on it"):
-        fs.check_object(body=column, motions=motion(0.6), wall_gap_m=0.1)
+    with pytest.raises(fs.BadValue, match="no wall lower than it"):
+        fs.check_object(body=column, motions=motion(0.6), wall_gap_m=0.1, wall_height_m=0.5)
 
 
 def test_what_is_no_body_is_refused():
