@@ -463,15 +463,15 @@ fn shape(
     };
     let found = match values.body() {
         Some(body) => Some(Ok(body)),
-        None if !file.is_empty() => scanned(values, scans, &file, feet, mass_kg, size),
+        None if !file.is_empty() => Some(scanned(values, scans, &file, feet, mass_kg, size)),
         None => upright(size, feet, mass_kg)
             .map(|upright| upright.and_then(|upright| upright.body().map(Arc::new))),
     };
     match found {
         None => match size.form {
-            Form::Box => ItemShape::Block,
             Form::Cylinder => ItemShape::Round,
-            Form::Polygon(_) => ItemShape::Unknown,
+            // A polygon is none without its sizes, and these are what is missing.
+            Form::Box | Form::Polygon(_) => ItemShape::Block,
         },
         Some(Ok(body)) => {
             size.height_m = Some(body.height_m);
@@ -520,7 +520,8 @@ fn upright(
     let outline = match (size.form, size.width_m) {
         // Feet under a polygon are on the circle through its corners.
         (Form::Polygon(corners), _) => {
-            Outline::Polygon(corners, size.base_thickness_m.unwrap_or(thickness_m))
+            let base_m = size.base_thickness_m.or(size.base_width_m);
+            Outline::Polygon(corners, base_m.unwrap_or(thickness_m))
         }
         _ if feet_m.is_none() => return None,
         (Form::Cylinder, _) => Outline::Circle(thickness_m),
@@ -547,8 +548,7 @@ fn scanned(
     feet_m: Option<Vec<[f64; 2]>>,
     mass_kg: Option<f64>,
     size: &Size,
-) -> Option<Result<Arc<BodyInPose>, Problem>> {
-    let cg_height_m = size.cg_height_m;
+) -> Result<Arc<BodyInPose>, Problem> {
     let unit_m = values.named(Column::ScanUnit, SCAN_UNITS);
     let base = values.named(Column::ScanBase, SCAN_BASES);
     let Some(unit_m) = unit_m else {
@@ -556,7 +556,7 @@ fn scanned(
             "the unit of the scan is not stated",
             "give `scan_unit`: m, cm, mm, in or ft",
         );
-        return Some(Err(problem.of(&["scan_unit"])));
+        return Err(problem.of(&["scan_unit"]));
     };
     let scan = Scan {
         unit_m,
@@ -565,12 +565,12 @@ fn scanned(
         leaking: Leaking::Refuse,
         feet_m,
         pose: 1,
-        cg_height_m,
+        cg_height_m: size.cg_height_m,
         mass_kg,
     };
-    let body = scans.body(file, &scan);
-    let body = body.and_then(|body| agrees(values, size, &body).map(|()| body));
-    Some(body)
+    let body = scans.body(file, &scan)?;
+    agrees(values, size, &body)?;
+    Ok(body)
 }
 
 /// Whether what the row says of its sizes is that of its scan, the sides in either order.
