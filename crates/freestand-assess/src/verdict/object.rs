@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use freestand::block::Block;
 use freestand::cushion::{ContactLaw, Cushion};
-use freestand::hull::shapes::{Outline, upright};
+use freestand::hull::shapes::Outline;
 use freestand::impact::ImpactModel;
 use freestand::rocking::{Restitution, RockingSummary};
 use freestand::sliding::Friction;
@@ -14,6 +14,7 @@ use freestand::spectra::{BEYOND_ALL_G, landings};
 use freestand::worlds::WallDraw;
 
 use freestand::wall::{Wall, Walls};
+use freestand_study::hull::body::Upright;
 use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
@@ -475,12 +476,14 @@ impl Subject {
         ];
         let corners_m = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)]
             .map(|(x, y)| [0.5 * x * base_m[0], 0.5 * y * base_m[1]]);
-        let (outline, mass_kg) = (Outline::Box(sides_m), self.mass_kg.unwrap_or(1.0));
-        let feet_m = (base_m != sides_m).then_some(&corners_m[..]);
-        let (body, volume_m3) =
-            upright(&outline, height_m, mass_kg, thickness.cg_height_m, feet_m).ok()?;
-        let kind = BodyKind::Box;
-        let body = BodyInPose::new(&body, kind, volume_m3, false, self.mass_kg, 1, 0.0).ok()?;
+        let upright = Upright {
+            outline: Outline::Box(sides_m),
+            height_m,
+            cg_height_m: thickness.cg_height_m,
+            feet_m: (base_m != sides_m).then(|| corners_m.to_vec()),
+            mass_kg: self.mass_kg,
+        };
+        let body = upright.body().ok()?;
         Some(Self {
             way: Way::Hull(Arc::new(body), Some(*beside)),
             axes: vec![*thickness],
@@ -627,11 +630,14 @@ pub(crate) fn round_body(
     cg_height_m: Option<f64>,
     mass_kg: Option<f64>,
 ) -> Option<BodyInPose> {
-    let of_mass = mass_kg.unwrap_or(1.0);
-    let outline = Outline::Circle(diameter_m);
-    let (body, volume_m3) = upright(&outline, height_m, of_mass, cg_height_m, None).ok()?;
-    let kind = BodyKind::Cylinder;
-    BodyInPose::new(&body, kind, volume_m3, false, mass_kg, 1, 0.0).ok()
+    let upright = Upright {
+        outline: Outline::Circle(diameter_m),
+        height_m,
+        cg_height_m,
+        feet_m: None,
+        mass_kg,
+    };
+    upright.body().ok()
 }
 
 /// The damping ratio c/(2√(k m)) that a cushion brings with it.
