@@ -241,7 +241,9 @@ function scanned(name, { unit = 0.001, rings = 24, without = 0, bodies = 1 } = {
 /** Gives the first tab a scan, and its unit. */
 async function stands(page, path, unit) {
   await page.setInputFiles('#drop-scan', path);
-  await page.waitForSelector('#scan-unit', PATIENT);
+  // The scan before it may still stand there, and its unit is taken away when the new one is read.
+  const named = said('scan.named', { name: path.slice(folder.length + 1) });
+  await page.waitForFunction((text) => document.querySelector('#scan-name')?.textContent === text && document.querySelector('#scan-unit').value === '', named, PATIENT);
   await page.selectOption('#scan-unit', unit);
 }
 
