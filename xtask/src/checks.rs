@@ -13,7 +13,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use crate::python::{self, Trouble};
-use crate::{arrows, page, risk_tools, source, validate_shock};
+use crate::{arrows, licences, page, risk_tools, source, validate_shock};
 
 /// The exit status of a check that cannot run here. The last line of its output is the reason.
 const NOT_RUN: u8 = 3;
@@ -24,7 +24,11 @@ const LIMIT: Duration = Duration::from_secs(45 * 60);
 
 /// What may be left out even under `CI`, and why: a part of the reason that a check or a test gives.
 /// Anything else that is left out there counts as failed, because nobody would notice.
-const OPTIONAL: [(&str, &str); 8] = [
+const OPTIONAL: [(&str, &str); 9] = [
+    (
+        "`cargo install cargo-deny`",
+        "a tool that takes minutes to build",
+    ),
     ("$FREESTAND_SHARED", "records that are not ours to publish"),
     (
         "`cargo xtask validate-shock`",
@@ -68,6 +72,7 @@ pub enum Check {
     Python,
     Shock,
     RiskTools,
+    Licences,
 }
 
 /// Two rows that run side by side. The first part of the first row compiles the program; the second
@@ -90,6 +95,7 @@ const ROWS: [[&[Check]; 2]; 2] = [
             Check::PageTypes,
             Check::Shock,
             Check::RiskTools,
+            Check::Licences,
         ],
     ],
 ];
@@ -141,7 +147,7 @@ struct Row {
 }
 
 impl Check {
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 15] = [
         Self::Arrows,
         Self::Features,
         Self::Formatting,
@@ -156,6 +162,7 @@ impl Check {
         Self::Python,
         Self::Shock,
         Self::RiskTools,
+        Self::Licences,
     ];
 
     /// Its name on the command line.
@@ -175,6 +182,7 @@ impl Check {
             Self::Python => "python",
             Self::Shock => "shock",
             Self::RiskTools => "risk-tools",
+            Self::Licences => "licences",
         }
     }
 
@@ -194,6 +202,7 @@ impl Check {
             Self::Python => "Python package",
             Self::Shock => "shock response spectra compared with public packages",
             Self::RiskTools => "exported fragilities in pelicun and OpenQuake",
+            Self::Licences => "licences and sources of dependencies",
         }
     }
 
@@ -251,7 +260,8 @@ impl Check {
             | Self::PageBrowsed
             | Self::Python
             | Self::Shock
-            | Self::RiskTools => {
+            | Self::RiskTools
+            | Self::Licences => {
                 let program = std::env::current_exe()
                     .map_err(|error| format!("cannot find xtask: {error}"))?;
                 let mut command = Command::new(program);
@@ -331,6 +341,10 @@ impl Check {
                 not_here(Some("`cargo xtask risk-tools` fetches them".to_owned()))?;
             }
             Self::RiskTools => risk_tools::compare(root)?,
+            Self::Licences => {
+                not_here(licences::missing())?;
+                licences::check(root)?;
+            }
         }
         Ok(())
     }

@@ -6,7 +6,7 @@
 //! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
 //! result is committed. `cargo xtask generate`: the schemas in docs/schema and the table of bad requests, from the
 //! structs of the requests. `cargo xtask wheel [--out DIR]`: the Python package with the program
-//! inside, as it is published. `cargo xtask python`: its tests alone, on a wheel of the dev
+//! inside, as it is published. `cargo xtask dist [--out DIR]`: an archive and a Debian package of the program. `cargo xtask python`: its tests alone, on a wheel of the dev
 //! profile. `cargo xtask shake-table [--data DIR]`: two rocks on a shake table, measured and calculated; the tests are not
 //! in the repository. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
 //! commit.
@@ -19,6 +19,8 @@
 
 mod arrows;
 mod checks;
+mod dist;
+mod licences;
 mod page;
 mod python;
 mod risk_tools;
@@ -31,8 +33,8 @@ use std::process::ExitCode;
 
 use checks::Check;
 
-const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | python [--all] | \
-                     validate-shock | risk-tools | shake-table [--data DIR] | same COMMIT [WORDS]";
+const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | dist [--out DIR] | \
+                     python [--all] | validate-shock | risk-tools | shake-table [--data DIR] | same COMMIT [WORDS]";
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -77,6 +79,8 @@ fn main() -> ExitCode {
         ("same", [commit, filter]) => same::compare(&root, commit, filter),
         ("wheel", []) => wheel(&root, &root.join("target/wheels")),
         ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
+        ("dist", []) => dist(&root, &root.join("target/dist")),
+        ("dist", [flag, out]) if flag == "--out" => dist(&root, Path::new(out)),
         ("python", []) => python::test(&root, all).map(|()| true).map_err(told),
         _ => {
             eprintln!("{USAGE}");
@@ -126,6 +130,12 @@ fn wheel(root: &Path, out: &Path) -> Result<bool, String> {
     let bytes = std::fs::metadata(&wheel).map_or(0, |data| data.len());
     println!("{}, {:.1} MB", wheel.display(), bytes as f64 / 1e6);
     Ok(true)
+}
+
+/// Builds what is given to people without Rust.
+fn dist(root: &Path, out: &Path) -> Result<bool, String> {
+    let out = std::path::absolute(out).map_err(|error| format!("{}: {error}", out.display()))?;
+    dist::dist(root, &out).map(|()| true)
 }
 
 fn told(trouble: python::Trouble) -> String {

@@ -76,10 +76,10 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
                     "--package",
                     "freestand-cli",
                     "--profile",
-                    "wheel",
+                    "published",
                 ],
             )?;
-            "wheel"
+            "published"
         }
     };
     let name = if cfg!(windows) {
@@ -115,7 +115,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
     let profile = if profile == Profile::Dev {
         "dev"
     } else {
-        "wheel"
+        "published"
     };
     let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
     // The strongest compression that every installer reads; it costs a few seconds and saves 3 %.

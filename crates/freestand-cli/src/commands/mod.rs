@@ -10,6 +10,7 @@ mod fragility;
 mod fragility_runs;
 mod inventory;
 mod library;
+mod manual;
 mod motion;
 mod object;
 mod place;
@@ -118,6 +119,7 @@ pub(crate) enum Command {
     #[cfg(feature = "page")]
     Serve(serve::ServeArgs),
     Completions(completions::CompletionsArgs),
+    Manual(manual::ManualArgs),
 }
 
 impl Command {
@@ -145,6 +147,7 @@ impl Command {
             #[cfg(feature = "page")]
             Self::Serve(args) => serve::run(args, global, printer),
             Self::Completions(args) => completions::run(args, global, printer),
+            Self::Manual(_) => manual::run(global, printer),
         }
     }
 }

@@ -75,6 +75,27 @@ fn shells_get_their_completions() {
     assert!(freestand(&["completions", "tcsh"]).contains("exit status 2"));
 }
 
+/// One page for each command, in a folder of its own; without it, that of the program.
+#[test]
+fn every_command_has_a_manual_page() {
+    let folder = tempfile::tempdir().unwrap();
+    let pages = folder.path().join("manual");
+    let written = freestand(&["manual", "--quiet", "--out", &pages.to_string_lossy()]);
+    assert!(written.contains("exit status 0"), "{written}");
+    let named: HashSet<String> = commands(&[])
+        .iter()
+        .map(|names| [&["freestand".to_owned()], &names[..]].concat().join("-") + ".1")
+        .collect();
+    let found: HashSet<String> = std::fs::read_dir(&pages)
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".1"))
+        .collect();
+    assert_eq!(found, named);
+    let page = std::fs::read_to_string(pages.join("freestand-rock.1")).unwrap();
+    assert!(page.contains(r"\-\-thickness") && page.contains("Examples:"));
+}
+
 /// Every command, found by walking the help.
 fn commands(of: &[String]) -> Vec<Vec<String>> {
     let help = freestand(
@@ -101,7 +122,7 @@ fn commands(of: &[String]) -> Vec<Vec<String>> {
 #[test]
 fn help_of_every_command_has_examples() {
     let commands = commands(&[]);
-    assert_eq!(commands.len(), 50);
+    assert_eq!(commands.len(), 51);
     for command in commands {
         let words: Vec<&str> = command
             .iter()
