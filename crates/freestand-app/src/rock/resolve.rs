@@ -134,9 +134,11 @@ impl Kind {
                 only("a compliant base"),
                 "add `base = \"compliant\"`, or leave it out",
             ),
-            "wall_height" if self.is_body() => {
-                (not(), "leave it out: the wall is taller than the object")
-            }
+            "wall_height" if self.is_body() => (
+                not(),
+                "leave it out: the wall is taller than the object, and where the upper edge of a lower one would meet \
+                     its surface is not calculated",
+            ),
             "wall_restitution" if self.is_body() => (
                 only("a rigid base"),
                 "leave it out: on the hull, what an impact at a wall returns follows from `wall_stiffness` and `wall_damping`",
