@@ -1,21 +1,23 @@
 //! The shape of an object: a box, a cylinder, a regular polygon, on feet, or as it was scanned.
 
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use freestand::hull::shake::Contact;
 use freestand::hull::shapes::Outline;
+use freestand_input::file::sha256_hex;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_scan::body::Leaking;
+use freestand_scan::formats::parse_mesh;
 use freestand_study::hull::body::{Form, SCAN_BASES, SCAN_UNITS, Scan, Upright, feet_of};
 use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::spatial;
 
 use crate::block;
-use crate::files::Files;
+use crate::files::{Files, ScanFile};
 use crate::request::{Switch, one_of, request};
 
 request! {
@@ -256,17 +258,41 @@ fn scanned(
         .problems
         .into_iter()
         .for_each(|problem| read.problems.push(problem));
-    let mesh = read.keep("scan", files.mesh(path))?;
+    let file = read.keep("scan", files.scan(path))?;
     if stands_on_feet && scan.feet_m.is_none() {
         return None;
     }
     unit_m?;
-    let body = scan.body(&mesh);
+    let body = match file {
+        ScanFile::Mesh(mesh) => scan.body(&mesh).map(Arc::new),
+        ScanFile::Bytes(bytes) => body_of(&scan, &bytes),
+    };
     let body = body.map_err(|problem| match problem.is_about("scan") {
         true => problem.in_file(Path::new(path)),
         false => problem,
     });
-    read.problems.keep(body).map(Arc::new)
+    read.problems.keep(body)
+}
+
+/// A body with its scan and the SHA-256 of the file of that.
+type OfScan = (String, Scan, Arc<BodyInPose>);
+
+/// The body that was made last from a file: the page asks about one scan again and again, and a large one takes
+/// seconds.
+static LAST: Mutex<Option<OfScan>> = Mutex::new(None);
+
+/// The body of a scan with this content of its file, made anew unless it is the last one.
+fn body_of(scan: &Scan, bytes: &[u8]) -> Result<Arc<BodyInPose>, Problem> {
+    let sha256 = sha256_hex(bytes);
+    let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    if let Some((_, _, body)) = last.filter(|(of, with, _)| *of == sha256 && with == scan) {
+        return Ok(body);
+    }
+    let mesh = parse_mesh(bytes).map_err(|problem| problem.of(&["scan"]))?;
+    let body = Arc::new(scan.body(&mesh)?);
+    let made = Some((sha256, scan.clone(), Arc::clone(&body)));
+    *LAST.lock().unwrap_or_else(PoisonError::into_inner) = made;
+    Ok(body)
 }
 
 /// The body in three dimensions that is asked for: by a scan, by its feet or by its shape.
@@ -318,4 +344,38 @@ fn shaped(read: &mut WordReader<'_>, name: Form, mass_kg: Option<f64>) -> Option
         mass_kg,
     };
     read.problems.keep(upright.body()).map(Arc::new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The same file with the same options is not read again, and with other options it is.
+    #[test]
+    fn the_last_scan_is_kept() {
+        let cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 2\nv 1 0 2\nv 1 1 2\nv 0 1 2\nf 4 3 2 1\nf 5 6 7 8\n\
+                    f 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+        let scan = Scan {
+            unit_m: 1.0,
+            base: None,
+            error_m: None,
+            leaking: Leaking::Refuse,
+            feet_m: None,
+            pose: 1,
+            cg_height_m: None,
+            mass_kg: None,
+        };
+        let bytes = cube.as_bytes();
+        let first = body_of(&scan, bytes).unwrap();
+        assert!(Arc::ptr_eq(&first, &body_of(&scan, bytes).unwrap()));
+        let lower = Scan {
+            cg_height_m: Some(0.5),
+            ..scan.clone()
+        };
+        let other = body_of(&lower, bytes).unwrap();
+        assert!(other.barrier.angle_rad() > first.barrier.angle_rad());
+        let taller = cube.replace(" 2\n", " 3\n");
+        let other = body_of(&scan, taller.as_bytes()).unwrap();
+        assert!(other.height_m > 1.4 * first.height_m);
+    }
 }

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use freestand_input::file::load;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::shorten;
 use freestand_input::written::Written;
 pub use freestand_scan::formats::is_mesh;
-use freestand_scan::formats::{parse_mesh, read_mesh};
 use freestand_scan::mesh::Mesh;
 use freestand_study::recorded::ReadMotion;
 
@@ -43,6 +43,14 @@ pub enum Content {
     Mesh(Arc<Mesh>),
 }
 
+/// A scan, as far as it was read.
+pub(crate) enum ScanFile {
+    /// Its mesh.
+    Mesh(Arc<Mesh>),
+    /// The content of its file.
+    Bytes(Vec<u8>),
+}
+
 impl Files {
     /// What a request calls by this name.
     ///
@@ -68,15 +76,15 @@ impl Files {
         self.path(&name?.text()).ok()
     }
 
-    /// The mesh that a request calls by this name.
+    /// The scan that a request calls by this name.
     ///
     /// # Errors
-    /// As [`Files::path`]; a file that holds no mesh.
-    pub(crate) fn mesh(&self, name: &str) -> Result<Arc<Mesh>, Problem> {
+    /// As [`Files::path`]; a file that cannot be read.
+    pub(crate) fn scan(&self, name: &str) -> Result<ScanFile, Problem> {
         match self.find(name)? {
-            Content::Mesh(mesh) => Ok(mesh),
-            Content::At(path) => Ok(Arc::new(read_mesh(&path)?.1)),
-            Content::Text(text) => Ok(Arc::new(parse_mesh(text.as_bytes())?)),
+            Content::Mesh(mesh) => Ok(ScanFile::Mesh(mesh)),
+            Content::At(path) => Ok(ScanFile::Bytes(load(&path)?)),
+            Content::Text(text) => Ok(ScanFile::Bytes(text.into_bytes())),
             Content::Motion(_) => Err(not_sent(name)),
         }
     }

@@ -306,7 +306,12 @@ impl Object {
             }
             return body::body(read, mass_kg, files).map(one_object::Object::of_body);
         }
-        let is_round = body::named(read) == Some(Form::Cylinder);
+        let named = body::named(read);
+        if named.is_none() && self.shape.shape.is_some() {
+            // Which sizes it has is not known.
+            return None;
+        }
+        let is_round = named == Some(Form::Cylinder);
         let size = match is_round {
             true => block::height(read).zip(body::diameter(read)),
             false => sizes(read),

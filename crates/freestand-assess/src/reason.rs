@@ -216,6 +216,13 @@ pub enum Note {
         /// The reason of the first.
         why: String,
     },
+    /// Worlds in which it does not stand on its hull even before the floor moves, and which count as falls.
+    TipsAtRest {
+        /// How many.
+        worlds: u32,
+        /// Of how many.
+        of: u32,
+    },
     /// Worlds in which it flies, and its pads answer for both models.
     Flies {
         /// How many.

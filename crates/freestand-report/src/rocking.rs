@@ -24,6 +24,17 @@ const SLIDING: [Column; 6] = [
     ("clearance_speed_m_s", "at the clearance [m/s]", 4),
 ];
 
+/// The table of several motions, each with both components, of an object that slides.
+const SLIDING_IN_PLANE: [Column; 7] = [
+    ("motion", "motion", 0),
+    ("outcome", "outcome", 0),
+    ("slide_peak_m", "farthest [mm]", 4),
+    ("slide_left_m", "to the left [mm]", 4),
+    ("slide_final_x_m", "at the end [mm]", 4),
+    ("slide_final_y_m", "and to the back [mm]", 4),
+    ("slide_speed_max_m_s", "speed [m/s]", 4),
+];
+
 /// The table of several motions of a body on its hull.
 const HULL: [Column; 4] = [
     ("motion", "motion", 0),
@@ -39,6 +50,8 @@ pub enum Moves {
     Rocks,
     /// It slides or rolls.
     Slides,
+    /// It slides or rolls under both components.
+    SlidesInPlane,
     /// It is a body on its hull.
     OnHull,
 }
@@ -54,6 +67,7 @@ pub fn followed_text<'a>(
     let columns: &[Column] = match moves {
         Moves::Rocks => &ROCKING,
         Moves::Slides => &SLIDING,
+        Moves::SlidesInPlane => &SLIDING_IN_PLANE,
         Moves::OnHull => &HULL,
     };
     facts_table(each.into_iter().map(row), columns)

@@ -65,19 +65,18 @@ fn is_json(bytes: &[u8]) -> bool {
 
 /// A binary STL says how many triangles follow; a text begins with `solid` and has facets.
 fn is_stl(bytes: &[u8]) -> bool {
-    let count = bytes
-        .get(80..STL_HEAD)
-        .and_then(|count| <[u8; 4]>::try_from(count).ok())
-        .map(u32::from_le_bytes);
-    let is_binary = count.is_some_and(|count| {
-        (count as usize)
-            .checked_mul(STL_TRIANGLE)
-            .is_some_and(|size| size + STL_HEAD == bytes.len())
-    });
     let head = bytes.get(..1000.min(bytes.len())).unwrap_or_default();
     let is_text = head.trim_ascii_start().starts_with(b"solid")
         && head.windows(5).any(|word| word == b"facet");
-    is_binary || is_text
+    stl_triangles(bytes).is_some() || is_text
+}
+
+/// The triangles of a binary STL: a normal, three corners and two more bytes.
+fn stl_triangles(bytes: &[u8]) -> Option<&[[u8; STL_TRIANGLE]]> {
+    let (head, rest) = bytes.split_at_checked(STL_HEAD)?;
+    let count = u32::from_le_bytes(head.last_chunk::<4>().copied()?);
+    let (triangles, left) = rest.as_chunks::<STL_TRIANGLE>();
+    (triangles.len() == count as usize && left.is_empty()).then_some(triangles)
 }
 
 /// A text in which a line begins with `v `.
@@ -139,6 +138,15 @@ fn obj(bytes: &[u8]) -> Result<Mesh, Problem> {
 }
 
 fn stl(bytes: &[u8]) -> Result<Mesh, Problem> {
+    if let Some(triangles) = stl_triangles(bytes) {
+        let number = |bytes: &[u8; 4]| f64::from(f32::from_le_bytes(*bytes));
+        let corners = triangles.iter().map(|triangle| {
+            // Past the normal.
+            let (numbers, _) = triangle[12..].as_chunks::<4>();
+            [0, 1, 2].map(|corner| [0, 1, 2].map(|axis| number(&numbers[3 * corner + axis])))
+        });
+        return Ok(Mesh::of_corners(corners, triangles.len() / 2));
+    }
     let mesh = stl_io::read_stl(&mut Cursor::new(bytes)).map_err(|error| broken("STL", &error))?;
     let vertices: Vec<[f64; 3]> = mesh
         .vertices

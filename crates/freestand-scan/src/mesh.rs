@@ -1,6 +1,7 @@
 //! A mesh of triangles, as a file has it.
 
-use std::collections::HashMap;
+use foldhash::HashMap;
+use foldhash::fast::RandomState;
 
 use freestand_input::problem::Problem;
 
@@ -58,11 +59,19 @@ impl Mesh {
 
     /// A mesh from triangles whose vertices may be equal: those become one. A triangle of one or two points is left out.
     pub(crate) fn merged(vertices: &[[f64; 3]], faces: impl Iterator<Item = [usize; 3]>) -> Self {
+        Self::of_corners(
+            faces.map(|face| face.map(|one| vertices[one])),
+            vertices.len(),
+        )
+    }
+
+    /// The same of triangles by their corners, about so many of which differ.
+    pub(crate) fn of_corners(corners: impl Iterator<Item = [[f64; 3]; 3]>, differ: usize) -> Self {
         let mut mesh = Self::default();
-        let mut known: HashMap<[u64; 3], u32> = HashMap::with_capacity(vertices.len());
-        for face in faces {
-            let corners = face.map(|one| {
-                let vertex = vertices[one];
+        let mut known: HashMap<[u64; 3], u32> =
+            HashMap::with_capacity_and_hasher(differ, RandomState::default());
+        for triangle in corners {
+            let corners = triangle.map(|vertex| {
                 *known.entry(bits(&vertex)).or_insert_with(|| {
                     mesh.vertices.push(vertex);
                     (mesh.vertices.len() - 1) as u32
@@ -78,14 +87,30 @@ impl Mesh {
 
     /// Whether the triangles enclose a volume: each of their sides belongs to two of them, in opposite directions.
     pub fn is_watertight(&self) -> bool {
-        let mut sides: HashMap<(u32, u32), i32> = HashMap::with_capacity(3 * self.faces.len());
-        for [a, b, c] in &self.faces {
-            for (from, to) in [(*a, *b), (*b, *c), (*c, *a)] {
-                *sides.entry((from, to)).or_default() += 1;
-            }
+        let sides = || {
+            let of = |[a, b, c]: &[u32; 3]| [(*a, *b), (*b, *c), (*c, *a)];
+            self.faces.iter().flat_map(of)
+        };
+        // Where the sides from each vertex lead, those of one vertex after those of the one before.
+        let mut starts = vec![0usize; self.vertices.len() + 1];
+        sides().for_each(|(from, _)| starts[from as usize + 1] += 1);
+        for vertex in 1..starts.len() {
+            starts[vertex] += starts[vertex - 1];
         }
-        let is_met = |(from, to): &(u32, u32), count: &i32| sides.get(&(*to, *from)) == Some(count);
-        !sides.is_empty() && sides.iter().all(|(side, count)| is_met(side, count))
+        let mut next = starts.clone();
+        let mut ends = vec![0u32; 3 * self.faces.len()];
+        for (from, to) in sides() {
+            ends[next[from as usize]] = to;
+            next[from as usize] += 1;
+        }
+        for pair in starts.windows(2) {
+            ends[pair[0]..pair[1]].sort_unstable();
+        }
+        let count = |from: u32, to: u32| {
+            let of = &ends[starts[from as usize]..starts[from as usize + 1]];
+            of.partition_point(|one| *one <= to) - of.partition_point(|one| *one < to)
+        };
+        !self.faces.is_empty() && sides().all(|(from, to)| count(from, to) == count(to, from))
     }
 
     /// How many separate parts it has, which share no vertex.

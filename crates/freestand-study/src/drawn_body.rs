@@ -95,6 +95,7 @@ pub fn drawn_body(
     let (base_time_s, [base_accel_m_s2, base_accel_y_m_s2]) = floor(motion);
     let outcome = match (rocking.outcome, Outcome::on_hull(&rocking)) {
         (HullOutcome::Shifted(_), _) => "shifted",
+        (HullOutcome::Unsettled, _) => "unresolved",
         (_, Outcome::Overturned) => "overturned",
         (_, Outcome::Unresolved) => "unresolved",
         (_, Outcome::Leaned) => "leaned",

@@ -5,9 +5,14 @@ use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::impact::ASSUMED_FRICTION;
 use freestand::motion::Motion;
-use freestand::respond::{Along, Glider, HistoryOptions, Plane, Planes, SlideHistory, SlidePoint};
+use freestand::respond::{
+    Along, Glider, HistoryOptions, Plane, PlaneSlideHistory, Planes, SlideHistory, SlidePoint,
+};
 use freestand::rocking::{Base, RockingError};
-use freestand::sliding::{Clearance, Friction, Sliding, SlidingOutcome, trip_speed_m_s};
+use freestand::sliding::{
+    Clearance, Friction, PlaneMotion, PlanePoint, PlaneSliding, Sliding, SlidingOutcome,
+    trip_speed_m_s,
+};
 
 use crate::rock::RockImpact;
 use crate::unsolved::{self, base, rocking_problem, sliding_problem};
@@ -135,13 +140,13 @@ impl Surface {
     }
 
     /// A block on it, as it is followed.
-    fn glider(&self, block: Block) -> Glider {
+    fn glider(&self, block: Block, yaw_rad: f64) -> Glider {
         let along = Along::X;
         Glider {
             planes: Planes::single(Plane { along, block }),
             friction: self.friction,
             clearance: self.clearance,
-            yaw_rad: 0.0,
+            yaw_rad,
         }
     }
 }
@@ -155,12 +160,23 @@ pub struct SlideRequest {
     pub surface: Surface,
     /// Horizontal motion of its base.
     pub horizontal: Option<Motion>,
+    /// Horizontal motion of its base at right angles to that, to its left.
+    pub across: Option<Motion>,
     /// Vertical motion of its base.
     pub vertical: Option<Motion>,
+    /// How far it is turned from the direction of the motion, anticlockwise from above \[rad\].
+    pub orientation_rad: f64,
     /// What is at the end of the clearance, for the shock there.
     pub stop: Option<StopShock>,
     /// Gravity, end, samples.
     pub how: HistoryOptions,
+}
+
+impl SlideRequest {
+    /// Whether it may move along both of its axes.
+    pub fn moves_in_plane(&self) -> bool {
+        self.across.is_some() || self.orientation_rad != 0.0
+    }
 }
 
 /// A stop that an object on it strikes.
@@ -259,6 +275,57 @@ answer! {
     }
 }
 
+answer! {
+    /// The slide of an object under both components of its floor.
+    pub struct PlaneSlideAnswer of (sliding: &PlaneSliding, request: &SlideRequest) {
+        outcome: &'static str = plane_outcome(sliding).name() => "outcome";
+        model: &'static str = request.surface.contact.model() => "model";
+        end_time_s: f64 => "end";
+        slide_peak_m: f64 = sliding.peak_m => "largest distance from its place";
+        slide_left_m: f64 = sliding.farthest_m[0][0] => "  farthest to the left";
+        slide_right_m: f64 = sliding.farthest_m[0][1] => "  to the right";
+        slide_front_m: f64 = sliding.farthest_m[1][0] => "  to the front";
+        slide_back_m: f64 = sliding.farthest_m[1][1] => "  to the back";
+        slide_final_x_m: f64 = sliding.final_m[0] => "at the end, to the right";
+        slide_final_y_m: f64 = sliding.final_m[1] => "  to the back";
+        slide_path_m: f64 = sliding.path_m => "length of the path";
+        slide_speed_max_m_s: f64 = sliding.speed_max_m_s => "largest speed";
+        clearance_left_m: Option<f64> = request.surface.clearance.left_m => "clearance to the left";
+        clearance_right_m: Option<f64> = request.surface.clearance.right_m => "clearance to the right";
+        clearance_time_s: Option<f64> = sliding.contacts[0].map(|(time_s, _)| time_s) => "clearance reached at";
+        clearance_speed_m_s: Option<f64> =
+            sliding.contacts[0].map(|(_, velocity_m_s)| velocity_m_s) => "  with the velocity to the right";
+        stop_acceleration_g: Option<f64> = request.stop.zip(sliding.contacts[0])
+            .map(|(stop, (_, velocity_m_s))| stop.acceleration_m_s2(velocity_m_s) / G0_M_S2)
+            => "  shock of the stop there";
+        trip_speed_m_s: f64 =
+            trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2) => "speed at which a stop trips it";
+        friction_ratio: f64 = request.surface.friction.static_ratio() => "friction or rolling resistance";
+        friction_kinetic_ratio: f64 = request.surface.friction.kinetic_ratio() => "  while it moves";
+        slide_threshold_g: f64 =
+            request.surface.friction.static_ratio() * request.how.settings.gravity_m_s2 / G0_M_S2 => "slides above";
+    }
+}
+
+fn plane_outcome(sliding: &PlaneSliding) -> SlidingOutcome {
+    if sliding.path_m > 0.0 {
+        SlidingOutcome::Slid
+    } else {
+        SlidingOutcome::Stuck
+    }
+}
+
+/// The slide of an object under both components of its floor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneSlideReport {
+    /// What it did.
+    pub answer: PlaneSlideAnswer,
+    /// Warnings about the validity of the result.
+    pub warnings: Vec<String>,
+    /// Its history.
+    pub history: PlaneSlideHistory,
+}
+
 /// The slide of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SlideReport {
@@ -280,7 +347,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
         return Err(surface.refused(block));
     }
     let base = base(&request.horizontal, &request.vertical);
-    let glider = surface.glider(*block);
+    let glider = surface.glider(*block, 0.0);
     let history = glider
         .follow(base, &request.how)
         .map_err(unsolved::problem)?;
@@ -291,7 +358,62 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
     }
     Ok(SlideReport {
         answer: SlideAnswer::of(&history.sliding, request),
-        warnings: warnings(request, &history.sliding),
+        warnings: warnings(
+            request,
+            history.sliding.contact,
+            history.sliding.final_velocity_m_s,
+        ),
+        history,
+    })
+}
+
+/// Calculates the slide under both components; one that is missing does not move. An object that is turned meets
+/// both under one.
+///
+/// # Errors
+/// As for [`slide`].
+pub fn slide_under_both(request: &SlideRequest) -> Result<PlaneSlideReport, Problem> {
+    let SlideRequest { block, surface, .. } = request;
+    if !surface.carries(block)? {
+        return Err(surface.refused(block));
+    }
+    let size = |motion: &Motion| (motion.dt_s(), motion.accel_m_s2().len());
+    if let Some((x, y)) = request.horizontal.as_ref().zip(request.across.as_ref())
+        && size(x) != size(y)
+    {
+        let message = "both components of the motion must have the same step and length";
+        let hint = "resample one of them to the step and length of the other first";
+        return Err(Problem::value(message, hint).of(&["motion_y"]));
+    }
+    let given = [&request.horizontal, &request.across, &request.vertical];
+    let Some(any) = given.into_iter().flatten().next() else {
+        return Err(rocking_problem(RockingError::Duration { duration_s: 0.0 }));
+    };
+    let still = any.scaled(0.0).map_err(|error| {
+        Problem::value(
+            error.to_string(),
+            "check the unit and the scale of the motion",
+        )
+    })?;
+    let motion = PlaneMotion {
+        x: request.horizontal.as_ref().unwrap_or(&still),
+        y: request.across.as_ref().unwrap_or(&still),
+        vertical: request.vertical.as_ref(),
+    };
+    let glider = surface.glider(*block, request.orientation_rad);
+    let history = glider
+        .follow_in_plane(motion, &request.how)
+        .map_err(unsolved::problem)?;
+    if let Some(time_s) = history.sliding.free_flight_time_s {
+        return Err(rocking_problem(RockingError::FreeFlight { time_s }));
+    }
+    Ok(PlaneSlideReport {
+        answer: PlaneSlideAnswer::of(&history.sliding, request),
+        warnings: warnings(
+            request,
+            history.sliding.contacts[0],
+            history.sliding.final_speed_m_s,
+        ),
         history,
     })
 }
@@ -303,12 +425,16 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
 /// Input that the solver refuses.
 pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Sliding, Problem> {
     let found = surface
-        .glider(block)
+        .glider(block, 0.0)
         .follow(base, &HistoryOptions::default());
     found.map(|found| found.sliding).map_err(unsolved::problem)
 }
 
-fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
+fn warnings(
+    request: &SlideRequest,
+    contact: Option<(f64, f64)>,
+    final_velocity_m_s: f64,
+) -> Vec<String> {
     let mut warnings = Vec::new();
     let surface = &request.surface;
     if surface.is_assumed {
@@ -319,17 +445,14 @@ fn warnings(request: &SlideRequest, sliding: &Sliding) -> Vec<String> {
         ));
     }
     let trip = trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2);
-    if let Some((_, velocity_m_s)) = sliding
-        .contact
-        .filter(|(_, velocity)| velocity.abs() >= trip)
-    {
+    if let Some((_, velocity_m_s)) = contact.filter(|(_, velocity)| velocity.abs() >= trip) {
         warnings.push(format!(
             "it reaches its clearance at {} m/s, and its trip speed is {} m/s: a low stop there would overturn it",
             significant(velocity_m_s.abs(), 3),
             significant(trip, 3)
         ));
     }
-    if sliding.final_velocity_m_s != 0.0 {
+    if final_velocity_m_s != 0.0 {
         warnings.push(
             "it still moves at the end of the calculation: a longer `duration` follows it to rest"
                 .to_owned(),
@@ -349,4 +472,19 @@ pub fn history_row(point: &SlidePoint) -> [f64; 4] {
         point.velocity_m_s,
         point.base_accel_m_s2,
     ]
+}
+
+/// The columns of a history under both components, along the axes of the object.
+pub const PLANE_HISTORY: &str =
+    "time_s,slide_x_m,slide_y_m,velocity_x_m_s,velocity_y_m_s,base_accel_x_m_s2,base_accel_y_m_s2";
+
+/// A row of a history under both components.
+pub fn plane_history_row(point: &PlanePoint) -> [f64; 7] {
+    let PlanePoint {
+        time_s,
+        place_m: [x, y],
+        velocity_m_s: [v_x, v_y],
+        base_accel_m_s2: [a_x, a_y],
+    } = *point;
+    [time_s, x, y, v_x, v_y, a_x, a_y]
 }

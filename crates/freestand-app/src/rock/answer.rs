@@ -7,7 +7,8 @@ use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_report::figures::{
-    hull_figure, rock_figure, slide_figure, spatial_figure, stack_figure, trace_figure,
+    hull_figure, plane_slide_figure, rock_figure, slide_figure, spatial_figure, stack_figure,
+    trace_figure,
 };
 use freestand_study::compliant::{CompliantReport, CompliantRequest, PadAnswer, rock_on_cushions};
 use freestand_study::drawn::{DrawnHistory, drawn, drawn_on_pads};
@@ -16,7 +17,10 @@ use freestand_study::hull::{
     HullAnswer, HullReport, HullRequest, HullRun, HullSetting, rock_on_hull, spatial_point,
 };
 use freestand_study::rock::{RockAnswer, RockReport, RockRequest, rock};
-use freestand_study::sliding::{SlideAnswer, SlideReport, SlideRequest, slide};
+use freestand_study::sliding::{
+    PlaneSlideAnswer, PlaneSlideReport, SlideAnswer, SlideReport, SlideRequest, slide,
+    slide_under_both,
+};
 use freestand_study::spatial::{
     SpatialAnswer, SpatialReport, StackAnswer, StackReport, rock_in_space, rock_stacked,
 };
@@ -35,6 +39,8 @@ pub enum Answer {
     Rigid(Box<RockAnswer>),
     /// Sliding or rolling.
     Slides(Box<SlideAnswer>),
+    /// Sliding or rolling under both components.
+    SlidesInPlane(Box<PlaneSlideAnswer>),
     /// On its cushions, in a plane.
     OnPads(Box<PadAnswer>),
     /// On its cushions, in three dimensions or at a wall.
@@ -152,6 +158,7 @@ pub struct Followed {
 enum Done {
     Rigid(RockRequest, RockReport),
     Slides(SlideRequest, SlideReport),
+    SlidesInPlane(SlideRequest, PlaneSlideReport),
     OnPads(CompliantRequest, CompliantReport),
     InSpace(SpatialReport),
     Stack(StackReport),
@@ -208,6 +215,10 @@ impl Meant {
                 let report = rock(&request)?;
                 Done::Rigid(request, report)
             }
+            Asked::Slides(request) if request.moves_in_plane() => {
+                let report = slide_under_both(&request)?;
+                Done::SlidesInPlane(request, report)
+            }
             Asked::Slides(request) => {
                 let report = slide(&request)?;
                 Done::Slides(request, report)
@@ -233,6 +244,9 @@ impl Followed {
         match &self.done {
             Done::Rigid(_, report) => Answer::Rigid(Box::new(report.answer.clone())),
             Done::Slides(_, report) => Answer::Slides(Box::new(report.answer.clone())),
+            Done::SlidesInPlane(_, report) => {
+                Answer::SlidesInPlane(Box::new(report.answer.clone()))
+            }
             Done::OnPads(_, report) => Answer::OnPads(Box::new(report.answer.clone())),
             Done::InSpace(report) => Answer::InSpace(Box::new(report.answer.clone())),
             Done::Stack(report) => Answer::Stack(Box::new(report.answer.clone())),
@@ -245,6 +259,7 @@ impl Followed {
         match &self.done {
             Done::Rigid(_, report) => &report.warnings,
             Done::Slides(_, report) => &report.warnings,
+            Done::SlidesInPlane(_, report) => &report.warnings,
             Done::OnPads(_, report) => &report.warnings,
             Done::InSpace(report) => &report.warnings,
             Done::Stack(report) => &report.warnings,
@@ -266,6 +281,10 @@ impl Followed {
             Done::Slides(_, report) => (
                 sliding::HISTORY,
                 rows(&report.history.samples, sliding::history_row),
+            ),
+            Done::SlidesInPlane(_, report) => (
+                sliding::PLANE_HISTORY,
+                rows(&report.history.samples, sliding::plane_history_row),
             ),
             Done::OnPads(_, report) => {
                 let samples = &report.history.samples;
@@ -314,6 +333,13 @@ impl Followed {
                     slide_figure(name, &request.block, &request.surface, samples)?,
                 )
             }
+            Done::SlidesInPlane(request, report) => {
+                let samples = &report.history.samples;
+                (
+                    "history",
+                    plane_slide_figure(name, &request.block, &request.surface, samples)?,
+                )
+            }
             Done::OnPads(_, report) if report.history.rocking.touches.is_empty() => ("trace", None),
             Done::OnPads(_, report) => ("trace", Some(trace_figure(report)?)),
             Done::InSpace(report) => ("spatial", spatial_figure(name, report)?),
@@ -349,17 +375,18 @@ impl Followed {
                 request.horizontal.as_ref(),
             )),
             Done::Hull(request, _) => Some(drawn_of_hull(request)?),
-            Done::Slides(..) | Done::InSpace(_) | Done::Stack(_) => None,
+            Done::Slides(..) | Done::SlidesInPlane(..) | Done::InSpace(_) | Done::Stack(_) => None,
         })
     }
 }
 
 impl Answer {
     /// The values of every kind of answer, each with its schema.
-    pub fn kinds() -> [Map<String, Value>; 6] {
+    pub fn kinds() -> [Map<String, Value>; 7] {
         [
             RockAnswer::properties(),
             SlideAnswer::properties(),
+            PlaneSlideAnswer::properties(),
             PadAnswer::properties(),
             SpatialAnswer::properties(),
             StackAnswer::properties(),
@@ -372,6 +399,7 @@ impl Answer {
         match self {
             Self::Rigid(answer) => answer.facts(),
             Self::Slides(answer) => answer.facts(),
+            Self::SlidesInPlane(answer) => answer.facts(),
             Self::OnPads(answer) => answer.facts(),
             Self::InSpace(answer) => answer.facts(),
             Self::Stack(answer) => answer.facts(),

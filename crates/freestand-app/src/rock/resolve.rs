@@ -118,12 +118,14 @@ impl Kind {
                 only("a shape or a scan in three dimensions"),
                 "add `shape` or `scan`, or leave it out",
             ),
-            _ if (OF_SPACE.contains(&key) || body::KEYS.contains(&key)) && self == Self::Slides => {
-                (
-                    only("an object that rocks"),
-                    "leave it out, or leave `sliding` or `casters` out",
-                )
-            }
+            "width" if self == Self::Slides => (
+                only("an object that slides under both components"),
+                "add `motion_y` or `components`, or leave it out",
+            ),
+            _ if body::KEYS.contains(&key) && self == Self::Slides => (
+                only("an object that rocks"),
+                "leave it out, or leave `sliding` or `casters` out",
+            ),
             _ if OF_SPACE.contains(&key) && !on_cushions && !self.is_body() => (
                 only("an object in three dimensions"),
                 "add `shape` for a stiff floor or `base = \"compliant\"` for cushions, or leave it out",
@@ -132,9 +134,11 @@ impl Kind {
                 only("a compliant base"),
                 "add `base = \"compliant\"`, or leave it out",
             ),
-            "wall_height" if self.is_body() => {
-                (not(), "leave it out: the wall is taller than the object")
-            }
+            "wall_height" if self.is_body() => (
+                not(),
+                "leave it out: the wall is taller than the object, and where the upper edge of a lower one would meet \
+                     its surface is not calculated",
+            ),
             "wall_restitution" if self.is_body() => (
                 only("a rigid base"),
                 "leave it out: on the hull, what an impact at a wall returns follows from `wall_stiffness` and `wall_damping`",
@@ -507,15 +511,27 @@ impl Reader<'_, '_> {
                 .problems
                 .keep(stop.map_err(|problem| problem.of(&["stop_stiffness"])))
         });
-        let slides = block.zip(surface).and_then(|(block, surface)| {
-            let carries = surface
-                .carries(&block)
+        let carries = |read: &mut WordReader<'_>, block: Option<Block>| {
+            let carries = surface?
+                .carries(&block?)
                 .map_err(|problem| problem.of(&[sliding::coefficient(contact)]));
-            self.read.problems.keep(carries)
-        });
-        if slides == Some(false) {
+            read.problems.keep(carries)
+        };
+        if carries(&mut self.read, block) == Some(false) {
             return (Kind::Rigid, self.rigid(object, block, is_still));
         }
+        let has_across = self.read.has("motion_y") || self.read.has("components");
+        if has_across && self.read.has("width") {
+            // Across the thickness it must not rock either.
+            let width_m = self.read.positive("width", Dimension::Length);
+            let across = object.size.zip(width_m);
+            let across =
+                across.and_then(|((height_m, _), width_m)| Block::uniform(height_m, width_m).ok());
+            if carries(&mut self.read, across) == Some(false) {
+                return (Kind::Rigid, None);
+            }
+        }
+        let orientation_rad = self.read.quantity("orientation", Dimension::Angle);
         if is_still {
             self.nothing_moves("give `motion`");
         }
@@ -524,7 +540,9 @@ impl Reader<'_, '_> {
                 block,
                 surface,
                 horizontal: None,
+                across: None,
                 vertical: None,
+                orientation_rad: orientation_rad.unwrap_or(0.0),
                 stop,
                 how: HistoryOptions {
                     settings: object.settings,
@@ -763,7 +781,7 @@ impl Reader<'_, '_> {
 
     /// Where the second horizontal component is.
     fn second(&mut self, kind: Kind) -> Second {
-        if !(kind == Kind::InSpace || kind.is_body()) {
+        if !(matches!(kind, Kind::InSpace | Kind::Slides) || kind.is_body()) {
             return Second::None;
         }
         self.read.one("motion_y");
@@ -824,12 +842,6 @@ impl Asked {
                 how,
                 ..
             })
-            | Self::Slides(SlideRequest {
-                horizontal,
-                vertical,
-                how,
-                ..
-            })
             | Self::OnPads(CompliantRequest {
                 horizontal,
                 vertical,
@@ -843,6 +855,10 @@ impl Asked {
                 ..
             }) => {
                 (*horizontal, *vertical, how.is_sampled) = (motion, upward, is_sampled);
+            }
+            Self::Slides(request) => {
+                (request.horizontal, request.across) = (motion, across);
+                (request.vertical, request.how.is_sampled) = (upward, is_sampled);
             }
             Self::InSpace(SpatialRequest {
                 motions,

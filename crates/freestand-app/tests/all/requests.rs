@@ -347,6 +347,9 @@ fn of_programs() -> Vec<Asked> {
             "scan_unit": "mm"}),
         json!({"shape": "cylinder", "height": 2, "diameter": 0.5, "thickness": 0.5, "friction": -1, "stand_on": 0}),
         json!({"shape": "cylinder", "height": 0.5, "thickness": 0.5, "sliding": true, "feet": "0.1 m, 0.1 m"}),
+        json!({"height": 0.5, "thickness": 0.5, "width": 0.1, "sliding": true, "friction": 0.3, "motion": "/etc/passwd",
+            "motion_y": "/etc/passwd", "components": "both", "orientation": "1 m"}),
+        json!({"height": 0.5, "thickness": 0.5, "width": 0.1, "sliding": true, "friction": 0.3, "motion": "/etc/passwd"}),
         json!({"feet": "0.1 m; 0.2 m, 0.3 m", "height": 2, "thickness": 0.5, "width": 0.5}),
         json!({"feet": "0.1 m, 0.1 m; 0.2 m, 0.3 m", "height": 2, "thickness": 0.5, "cg_height": 2.5}),
         json!({"feet": "0.1 m, 0.1 m; 0.2 m, 0.3 m; 0.2 m, 0.1 m", "height": 2, "thickness": 0.5, "width": 0.5}),
@@ -439,6 +442,10 @@ fn of_programs() -> Vec<Asked> {
         (
             "object",
             json!({"height": 1.8, "thickness": 0.4, "stiffness_n_m": 4e6, "cushion": "rubber-foot", "motion": ["/etc/passwd"]}),
+        ),
+        (
+            "object",
+            json!({"shape": "box", "height": 1.8, "diameter": 0.4, "place": "Lisbon"}),
         ),
         (
             "object",

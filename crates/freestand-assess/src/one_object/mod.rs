@@ -13,6 +13,7 @@ use std::sync::Arc;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
+use freestand_input::words::number;
 use freestand_study::hull::{BodyInPose, Surface};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
@@ -353,22 +354,60 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
         problems.push(Problem::value(message, hint).of(keys));
     };
     if let Some(body) = body {
-        let is_low = surroundings
-            .wall_height_m
-            .is_some_and(|wall_m| wall_m < *height_m);
-        let is_alone = !(surroundings.has_wall() && is_low)
-            && surroundings.upper.is_none()
-            && surroundings.casters.is_none();
-        if !is_alone || rests_on.is_some() || tolerance.is_some() {
-            let shape = body.kind.name();
+        if let Some(wall_m) = surroundings.wall_height_m
+            && surroundings.has_wall()
+            && wall_m < *height_m
+        {
             note(
-                &["shape", "scan", "feet"],
+                &["wall_height"],
                 &format!(
-                    "an object of this shape ({shape}) is followed on a stiff floor, with nothing under or on it, no wall lower \
-                     than it, and without its shock"
+                    "the wall, {} m high, is lower than the object, {} m: where its upper edge meets the surface of an object on \
+                     the points of its hull is not calculated",
+                    number(wall_m, 4),
+                    number(*height_m, 4)
                 ),
-                "leave out `wall_height`, casters, what stands on it, `on` and `tolerance`, or describe it as a box",
+                "leave `wall_height` out for a wall that is taller, or leave the wall out, as if the object stood freely; a box is \
+                 calculated beside a low wall",
             );
+        }
+        let on_hull = |what: &str| {
+            let shape = body.kind.name();
+            format!("an object of this shape ({shape}) is followed on a stiff floor, {what}")
+        };
+        let others = [
+            (
+                rests_on.is_some(),
+                "on",
+                "with nothing under it",
+                "leave `on` out",
+            ),
+            (
+                tolerance.is_some(),
+                "tolerance",
+                "without its shock",
+                "leave `tolerance` out",
+            ),
+            (
+                surroundings.upper.is_some(),
+                "upper_height",
+                "with nothing on it",
+                "leave out what stands on it",
+            ),
+            (
+                surroundings.casters.is_some(),
+                "casters",
+                "without casters",
+                "leave `casters` out",
+            ),
+        ];
+        for (is_given, key, what, hint) in others {
+            if is_given {
+                note(
+                    &[key],
+                    &on_hull(what),
+                    &format!("{hint}, or describe it as a box"),
+                );
+            }
         }
         if surroundings.wall_restitution.is_some() {
             note(

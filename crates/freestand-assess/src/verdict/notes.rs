@@ -6,7 +6,7 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::object::Way;
-use super::response::{Lived, Lost};
+use super::response::{AxisMotion, Lived, Lost};
 use super::trial::Trial;
 
 /// What is left out of three dimensions and of stacks.
@@ -65,7 +65,7 @@ pub(super) fn unknown_wall_shock(trial: &Trial, at_wall: &AtWall) -> Option<Note
     (is_asked && at_wall.acceleration_g_median.is_none()).then_some(Note::WallShockUnknown)
 }
 
-/// The histories that failed, and the worlds in which it flies.
+/// The histories that failed, and the worlds in which it does not stand before the floor moves or flies.
 pub(super) fn failures(trial: &Trial) -> Vec<Note> {
     let of = trial.lived.len() as u32;
     let rigid = trial
@@ -90,6 +90,14 @@ pub(super) fn failures(trial: &Trial) -> Vec<Note> {
         .into_iter()
         .flatten()
         .collect();
+    let tips = |one: &&Lived| {
+        let told = one.on_rigid();
+        told.is_some_and(|told| told.axes.iter().any(AxisMotion::tips_at_rest))
+    };
+    let worlds = trial.lived.iter().filter(tips).count() as u32;
+    if worlds > 0 {
+        notes.push(Note::TipsAtRest { worlds, of });
+    }
     let is_flight = |one: &&Lived| matches!(one.rigid, Some(Err(Lost::Flight(_))));
     let flights = || trial.lived.iter().filter(is_flight);
     let answered = flights().filter(|one| one.is_for_pads()).count() as u32;

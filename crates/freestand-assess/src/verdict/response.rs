@@ -3,7 +3,7 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::cushion::Cushion;
-use freestand::hull::shake::HullRocking;
+use freestand::hull::shake::{HullOutcome, HullRocking};
 use freestand::respond::{Glide, Outcome, PadSummary, RespondError, Tilt};
 use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
@@ -46,6 +46,11 @@ impl AxisMotion {
             Moved::Rocks { rocking, .. } => Some(rocking),
             Moved::Glides(_) | Moved::OnHull(_) => None,
         }
+    }
+
+    /// Whether it does not stand on its hull even before the floor moves.
+    pub(super) fn tips_at_rest(&self) -> bool {
+        matches!(&self.moved, Moved::OnHull(body) if body.outcome == HullOutcome::Unsettled)
     }
 
     pub(super) fn hit(&self) -> Option<&Hit> {

@@ -42,6 +42,9 @@ impl Tell for Object {
         );
         let shown = one_object_shown(&object, &memory, follow.as_ref(), &|| stop.wanted());
         let (result, shown) = shown?;
+        // A history that failed is an item that failed, as in a list.
+        let at = std::iter::once(&result.at_one).chain(&result.scales);
+        let criterion_met = !at.into_iter().any(|at| at.found.has_failed_histories());
         let report = object_report(result);
         if let Some((session, shown)) = session.zip(shown.as_ref()) {
             session.beside(shown);
@@ -49,6 +52,6 @@ impl Tell for Object {
         files.print(printer, SCHEMA, &report, &report.warnings, || {
             object_text(&report, object.units)
         })?;
-        Ok(Done::OK)
+        Ok(Done { criterion_met })
     }
 }

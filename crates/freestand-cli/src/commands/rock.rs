@@ -151,6 +151,7 @@ fn text(results: &Results) -> String {
             let first = results.first().map(|one| &one.answer);
             let moves = match first {
                 Some(Answer::Slides(_)) => Moves::Slides,
+                Some(Answer::SlidesInPlane(_)) => Moves::SlidesInPlane,
                 _ => Moves::Rocks,
             };
             let each = results.iter();

@@ -562,3 +562,43 @@ fn an_object_that_falls_is_not_told_how_to_show_that_it_stays() {
     let (warnings, ..) = of("ground", "4ft");
     assert!(warnings.contains("cannot show that it stays"), "{warnings}");
 }
+
+/// A history that failed is an item that failed: `object` says so by its exit status, as `assess` does. Here the floor
+/// falls away, and an object without pads cannot be followed.
+#[test]
+fn a_failed_history_is_told_by_the_status() {
+    let study = "[ground]\nhazard_factor = 0.8\nvertical = 1\nseed = 3\n[building]\nstoreys = 4\n\
+                 [worlds]\nfirst = 4\nmost = 4\nshares = false\n";
+    let list = "id,level_ratio,height [mm],thickness [mm]\nbare,0,900,900\n";
+    let folder = crate::program::folder(&[("study.toml", study), ("list.csv", list)]);
+    let size = [
+        "--height",
+        "900 mm",
+        "--thickness",
+        "900 mm",
+        "--level-ratio",
+        "0",
+    ];
+    let of_object = execute(
+        folder.path(),
+        &[&["object", "--study", "study.toml"], &size[..]].concat(),
+    );
+    let said = String::from_utf8_lossy(&of_object.stderr);
+    assert!(said.contains("of 4 histories failed"), "{said}");
+    let of_list = execute(
+        folder.path(),
+        &[
+            "assess",
+            "study.toml",
+            "--inventory",
+            "list.csv",
+            "--out",
+            "out",
+            "--quiet",
+        ],
+    );
+    assert_eq!(
+        (of_object.status.code(), of_list.status.code()),
+        (Some(1), Some(1))
+    );
+}

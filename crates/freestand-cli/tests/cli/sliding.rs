@@ -349,8 +349,8 @@ fn what_does_not_slide_is_refused() {
         ),
         (
             &["--sliding", "--width", "1 m", "--friction", "0.1"],
-            "applies only to an object that rocks",
-            "leave --sliding or --casters out",
+            "--width applies only to an object that slides under both components",
+            "add --motion-y or --components",
         ),
         (
             &["--upper-height", "1 m"],
@@ -382,4 +382,103 @@ fn what_does_not_slide_is_refused() {
             "{args:?}: {error}"
         );
     }
+}
+
+/// Twice the same motion is √2 times it along the diagonal, and so is one motion under an object that is turned by
+/// 45°: what the exact solver finds along a line, within what its stepped sibling documents (1 mm and 0.2 %).
+#[test]
+fn two_components_slide_as_their_sum() {
+    let size = [
+        "--sliding",
+        "--friction",
+        "0.2",
+        "--height",
+        "0.8 m",
+        "--thickness",
+        "0.6 m",
+        "--json",
+    ];
+    let path = record("decsine_f1.25");
+    let path = path.to_str().unwrap();
+    let ask = |scale: &str, more: &[&str]| -> Value {
+        let mut freestand = Command::new(PROGRAM);
+        freestand.args(["rock", "--quiet", "--scale", scale, "--motion", path]);
+        json(&freestand.args(size).args(more).output().unwrap())
+    };
+    let number = |document: &Value, key: &str| document[key].as_f64().unwrap();
+    let line = ask(&(4.0 * 2.0_f64.sqrt()).to_string(), &[]);
+    let both = ask("4", &["--motion-y", path, "--clearance-left", "20 mm"]);
+    let turned = ask(
+        &(4.0 * 2.0_f64.sqrt()).to_string(),
+        &["--orientation", "45 deg"],
+    );
+    let peak_m = number(&line, "slide_peak_m");
+    assert!(peak_m.abs() > 0.05, "{line}");
+    let is_near = |found: f64, exact: f64| (found - exact).abs() <= 1e-3 + 2e-3 * exact.abs();
+    for (found, sense) in [(&both, 1.0), (&turned, -1.0)] {
+        assert!(
+            is_near(number(found, "slide_peak_m"), peak_m.abs()),
+            "{found}"
+        );
+        assert!(is_near(
+            number(found, "slide_path_m"),
+            number(&line, "slide_path_m")
+        ));
+        let part_m = number(&line, "slide_final_m") / 2.0_f64.sqrt();
+        assert!(is_near(number(found, "slide_final_x_m"), part_m), "{found}");
+        // The axes of an object that is turned anticlockwise lie clockwise of the motion in it.
+        assert!(
+            is_near(number(found, "slide_final_y_m"), sense * part_m),
+            "{found}"
+        );
+        let [left, right] = ["slide_left_m", "slide_right_m"].map(|key| number(found, key));
+        assert!(
+            is_near(left.max(right), peak_m.abs() / 2.0_f64.sqrt()),
+            "{found}"
+        );
+    }
+    // A wall that stands on the left is reached where the block comes 20 mm to the left.
+    assert_eq!(
+        number(&both, "slide_left_m") >= 0.02,
+        both["clearance_time_s"].is_number()
+    );
+    assert!(number(&both, "clearance_speed_m_s") < 0.0, "{both}");
+}
+
+/// Under both components a narrower side counts too.
+#[test]
+fn a_block_slides_if_neither_side_is_too_narrow() {
+    let path = record("decsine_f1.25");
+    let path = path.to_str().unwrap();
+    let of = |width: &str| {
+        let mut freestand = Command::new(PROGRAM);
+        freestand.args([
+            "rock",
+            "--quiet",
+            "--motion",
+            path,
+            "--motion-y",
+            path,
+            "--sliding",
+        ]);
+        freestand.args([
+            "--friction",
+            "0.3",
+            "--height",
+            "0.8 m",
+            "--thickness",
+            "0.6 m",
+            "--width",
+            width,
+        ]);
+        freestand.output().unwrap()
+    };
+    let narrow = of("0.2 m");
+    let said = String::from_utf8_lossy(&narrow.stderr);
+    assert_eq!(narrow.status.code(), Some(2));
+    assert!(
+        said.contains("an edge lifts before the object slides"),
+        "{said}"
+    );
+    assert_eq!(of("0.3 m").status.code(), Some(0));
 }

@@ -128,14 +128,14 @@ fn every_case_in_space() {
     assert!(cases.len() >= 8 && failures.is_empty(), "{failures:#?}");
 }
 
-/// The same beside a wall, which top and base strike.
+/// The same beside a wall, which top and base strike: in a plane, and prisms and cylinders under two components.
 #[test]
 fn every_case_at_a_wall() {
     let cases = cases_of(include_str!(
         "../../../../validation/three-dimensions/walls.json"
     ));
     let failures = differences(&cases.iter().collect::<Vec<_>>());
-    assert!(!cases.is_empty() && failures.is_empty(), "{failures:#?}");
+    assert!(cases.len() >= 5 && failures.is_empty(), "{failures:#?}");
 }
 
 /// `validation/stacks`: either body, and both.

@@ -94,9 +94,11 @@ def rock(
     cg_rise_m, contacts, at_m, tangential_stiffness_n_m, tangential_ratio : optional
         Of a compliant base alone: the rise from which the object is released [m], the number of contacts, a point (x, z)
         whose acceleration is reported [m], and the tangential stiffness [N/m] or its ratio to the vertical one.
-    across, orientation_rad, contact_damping, contact_sinking_m, rolling_friction : optional
-        Of a body alone: the motion to the left of `motion`, the angle by which it is turned, anticlockwise from above [rad], the
-        damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001 of a scan, 0.00001 of a shape);
+    across, orientation_rad : optional
+        Of a body, or of an object that slides: the motion to the left of `motion`, and the angle by which it is turned,
+        anticlockwise from above [rad].
+    contact_damping, contact_sinking_m, rolling_friction : optional
+        Of a body alone: the damping ratio of its contacts with the floor (0.2) and how far three of them sink under its weight [m] (0.0001 of a scan, 0.00001 of a shape);
         the coefficient of rolling friction of a cylinder, lever arm over radius (0).
 
     Returns

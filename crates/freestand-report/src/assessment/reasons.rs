@@ -592,6 +592,10 @@ fn of_note(note: &Note, found: &Assessment) -> String {
                  upper end of an interval and as not exceeded in the lower."
             )
         }
+        Note::TipsAtRest { worlds, of } => format!(
+            "In {worlds} of {of} worlds it does not stand even before the floor moves, on the base that was drawn within the error \
+             of its scan: they count as falls."
+        ),
         Note::Flies { worlds, of } => format!(
             "In {worlds} of {of} worlds its floor falls away (g + vertical acceleration ≤ 0), and it flies: there its \
              pads answer for both models."

@@ -37,6 +37,6 @@ pub use response_spectrum::spectrum_figure;
 pub use risk::risk_figure;
 pub use runs::{ida_figure, measures_figure, residuals_figure};
 pub use shock_spectrum::{boundary_figure, spectra_figure};
-pub use slide::slide_figure;
+pub use slide::{plane_slide_figure, slide_figure};
 pub use spatial::{hull_figure, spatial_figure, stack_figure};
 pub use trace::trace_figure;

@@ -5,6 +5,7 @@ use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::{answer, answer_of};
+use freestand_study::hull::narrow_base_warning;
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
@@ -18,7 +19,7 @@ use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, HULL_FRICTION_RATIO, NamedEarthquake, ObjectRequest,
     ObjectResult, Tally, Unused, middle,
 };
-use freestand_assess::reason::Reason;
+use freestand_assess::reason::{Note, Reason};
 use freestand_assess::result::{
     Answers, Assessment, FallsAnswer, ObjectModel, Probability, Rolled, SlidingVerdict,
 };
@@ -97,6 +98,12 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         ));
     }
     warnings.extend(doubts(&found, is_given));
+    let narrow = request
+        .object
+        .body
+        .as_ref()
+        .and_then(|body| body.narrow_base());
+    warnings.extend(narrow.map(narrow_base_warning));
     if !is_given
         && found
             .answers
@@ -498,6 +505,13 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
             too_mild(why)
         ));
     }
+    said.extend(found.notes.iter().filter_map(|note| match note {
+        Note::TipsAtRest { worlds, of } => Some(format!(
+            "in {worlds} of {of} histories it does not stand even before the floor moves, on the base that was drawn within the \
+             error of its scan: they count as falls; a measured base, or a smaller `scan_error`, says more"
+        )),
+        _ => None,
+    }));
     // Where it falls, no number of earthquakes would show that it stays.
     let is_open = !is_given && answers.falls != FallsAnswer::Falls;
     if let Some(needed) = answers.worlds_needed.filter(|_| is_open) {

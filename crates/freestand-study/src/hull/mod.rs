@@ -134,6 +134,13 @@ pub struct BodyInPose {
     pub surface: Surface,
 }
 
+/// Contact points this near to the floor are corners of a flat base \[m\].
+const FLAT_M: f64 = 1e-5;
+
+/// A flat base so many times narrower than the body may be a part of the true one: a scan of 300 mm that is tilted by
+/// 2° has a strip of 57 mm within 2 mm of its lowest point.
+const NARROW_RATIO: f64 = 4.0;
+
 /// The height of the centre of gravity from which on contacts sink as far as those of the rocks of the tests; those of
 /// smaller bodies sink less, in proportion \[m\].
 const OF_FULL_SINKING_M: f64 = 0.25;
@@ -147,6 +154,41 @@ impl BodyInPose {
     /// \[m\].
     pub fn thickness_m(&self) -> f64 {
         2.0 * self.standing.pose().cg_height_m * self.barrier.angle_rad().tan()
+    }
+
+    /// Of a scan whose underside is taken to be flat: how wide that is where it is narrowest \[m\], and how wide the
+    /// body is in this direction, where that is more than four times as much: the scan may be tilted, so that a
+    /// part of its base alone is at its lowest point. `None`: it is not.
+    pub fn narrow_base(&self) -> Option<(f64, f64)> {
+        if self.kind != BodyKind::ScanOnFlatBase {
+            return None;
+        }
+        let pose = self.standing.pose();
+        let [x, y, _] = pose.axes();
+        let dot = |a: &Vector, b: &Vector| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
+        let depth_m = |point: &&Vector| pose.cg_height_m - dot(point, &pose.down);
+        let points = self.standing.points_m();
+        let base: Vec<&Vector> = points.iter().filter(|one| depth_m(one) < FLAT_M).collect();
+        let width_m = |along: [f64; 2]| {
+            let of = |point: &&Vector| along[0] * dot(point, &x) + along[1] * dot(point, &y);
+            let (low, high) = base
+                .iter()
+                .map(of)
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), one| {
+                    (low.min(one), high.max(one))
+                });
+            high - low
+        };
+        let in_direction = |degrees: u32| {
+            let (sin, cos) = f64::from(degrees).to_radians().sin_cos();
+            // The width of an ellipse with these axes, which is not more than that of the rectangle around it.
+            let plan_m = (cos * self.plan_m[0]).hypot(sin * self.plan_m[1]);
+            (width_m([cos, sin]), plan_m)
+        };
+        (0..180)
+            .map(in_direction)
+            .min_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))
+            .filter(|(base_m, plan_m)| base_m * NARROW_RATIO < *plan_m)
     }
 
     /// How far its contacts sink, over how far those of the rocks of the tests on a shake table do.
@@ -491,6 +533,7 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
         });
         warnings.push(ends_warning([soft?, stiff?]));
     }
+    warnings.extend(request.body.narrow_base().map(narrow_base_warning));
     if request.body.barrier.angle_rad() < HARDLY_RAD {
         warnings.push(format!(
             "the body hardly stands: its centre of gravity rises by {} mm until it falls",
@@ -510,6 +553,16 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
     })
 }
 
+/// What a flat base that is much narrower than the body may mean.
+pub fn narrow_base_warning((base_m, plan_m): (f64, f64)) -> String {
+    format!(
+        "the flat base is only {} mm wide where the scan is {} mm wide: if the scan is tilted or its underside bulges, turn its \
+         base onto the floor, or give a larger `scan_error` or the `feet`",
+        number(1e3 * base_m, 2),
+        number(1e3 * plan_m, 3)
+    )
+}
+
 /// A point of a history as that of an object on cushions is written.
 pub fn spatial_point(point: &HullPoint) -> SpatialPoint {
     SpatialPoint {
@@ -517,5 +570,48 @@ pub fn spatial_point(point: &HullPoint) -> SpatialPoint {
         tilts_rad: point.tilts_rad,
         yaw_rad: point.yaw_rad,
         base_m: point.base_m,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use freestand_scan::body::Leaking;
+
+    use super::body::Scan;
+    use super::*;
+
+    /// A frustum of 300 × 300 mm at the top, 400 mm high, on a square base.
+    fn on_base(side_m: f64) -> BodyInPose {
+        let corners = |side_m: f64, z_m: f64| {
+            [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)]
+                .map(|(x, y)| [x * side_m, y * side_m, z_m])
+        };
+        let vertices = [corners(side_m, 0.0), corners(0.3, 0.4)].concat();
+        let side = |at: usize| {
+            let next = (at + 1) % 4;
+            [[at, next, 4 + next], [at, 4 + next, 4 + at]]
+        };
+        let mut faces = vec![[0, 3, 2], [0, 2, 1], [4, 5, 6], [4, 6, 7]];
+        faces.extend((0..4).flat_map(side));
+        let scan = Scan {
+            unit_m: 1.0,
+            base: None,
+            error_m: None,
+            leaking: Leaking::Refuse,
+            feet_m: None,
+            pose: 1,
+            cg_height_m: None,
+            mass_kg: None,
+        };
+        scan.body(&Mesh::of_triangles(&vertices, &faces).unwrap())
+            .unwrap()
+    }
+
+    #[test]
+    fn a_narrow_flat_base_is_said() {
+        let (base_m, plan_m) = on_base(0.06).narrow_base().unwrap();
+        assert!((base_m - 0.06).abs() < 1e-9, "{base_m}");
+        assert!((plan_m - 0.3).abs() < 1e-9, "{plan_m}");
+        assert_eq!(on_base(0.09).narrow_base(), None);
     }
 }

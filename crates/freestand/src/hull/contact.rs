@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::poses::StablePose;
-use super::{Hull, Vector, height_m};
+use super::{Hull, Vector};
 use crate::space::dot;
 
 /// Tilts from the pose up to this are looked at \[rad\]: past it a body falls, whatever its points.
@@ -70,36 +70,76 @@ impl Hull {
         directions: &[(Vector, f64)],
         must: impl Fn(&Vector) -> bool,
     ) -> Vec<Vector> {
-        // The directions that each vertex serves well enough.
-        let mut serves: Vec<Vec<usize>> = vec![Vec::new(); self.vertices_m().len()];
-        for (at, (down, error_m)) in directions.iter().enumerate() {
-            let least_m = height_m(self.vertices_m(), down) - error_m;
-            for (vertex, served) in self.vertices_m().iter().zip(&mut serves) {
-                if dot(vertex, down) >= least_m {
-                    served.push(at);
-                }
-            }
+        let vertices = self.vertices_m();
+        let caps = self.caps(directions);
+        // How many of the directions that are left each vertex serves well enough.
+        let mut gains = vec![0_u32; vertices.len()];
+        for vertex in caps.iter().flat_map(|cap| &cap.vertices) {
+            gains[*vertex as usize] += 1;
         }
         let mut is_open = vec![true; directions.len()];
         let mut chosen = Vec::new();
-        let corners = self.vertices_m().iter().zip(&serves);
-        for (corner, served) in corners.filter(|(vertex, _)| must(vertex)) {
-            served.iter().for_each(|at| is_open[*at] = false);
-            chosen.push(*corner);
+        let mut choose = |vertex: usize, gains: &mut [u32]| {
+            let of_directions = caps.iter().zip(directions).zip(&mut is_open);
+            for ((cap, (down, _)), is_open) in of_directions {
+                if *is_open && dot(&vertices[vertex], down) >= cap.least_m {
+                    *is_open = false;
+                    cap.vertices
+                        .iter()
+                        .for_each(|one| gains[*one as usize] -= 1);
+                }
+            }
+            chosen.push(vertices[vertex]);
+        };
+        for (vertex, _) in vertices.iter().enumerate().filter(|(_, one)| must(one)) {
+            choose(vertex, &mut gains);
         }
         // The vertex that serves most of those which are left, again and again.
-        loop {
-            let gain = |served: &Vec<usize>| served.iter().filter(|at| is_open[**at]).count();
-            let best = serves
-                .iter()
-                .map(gain)
-                .enumerate()
-                .reduce(|best, one| if one.1 > best.1 { one } else { best });
-            let Some((vertex, 1..)) = best else {
-                return chosen;
-            };
-            serves[vertex].iter().for_each(|at| is_open[*at] = false);
-            chosen.push(self.vertices_m()[vertex]);
+        let most = |gains: &[u32]| {
+            let all = gains.iter().copied().enumerate();
+            all.reduce(|best, one| if one.1 > best.1 { one } else { best })
+        };
+        while let Some((vertex, 1..)) = most(&gains) {
+            choose(vertex, &mut gains);
         }
+        chosen
     }
+
+    /// Of each direction, the vertices that reach far enough in it. On a convex body edges join them to the one that
+    /// reaches farthest: they are found from there, without a look at all the others.
+    fn caps(&self, directions: &[(Vector, f64)]) -> Vec<Cap> {
+        let sides = self.sides();
+        let mut lowest = directions
+            .first()
+            .map_or(0, |(down, _)| self.lowest(down).1);
+        // The number of the direction, from 1, in which a vertex was last seen.
+        let mut seen = vec![0_u32; self.vertices_m().len()];
+        let of_direction = |(at, (down, error_m)): (u32, &(Vector, f64))| {
+            let height_m;
+            (height_m, lowest) = self.lowest_from(lowest, &sides, down);
+            let least_m = height_m - error_m;
+            let mut vertices = vec![lowest as u32];
+            seen[lowest] = at;
+            let mut next = 0;
+            while let Some(vertex) = vertices.get(next) {
+                for one in &sides[*vertex as usize] {
+                    let is_new = seen[*one] != at;
+                    if is_new && dot(&self.vertices_m()[*one], down) >= least_m {
+                        seen[*one] = at;
+                        vertices.push(*one as u32);
+                    }
+                }
+                next += 1;
+            }
+            Cap { least_m, vertices }
+        };
+        (1..).zip(directions).map(of_direction).collect()
+    }
+}
+
+/// The vertices that reach far in a direction.
+struct Cap {
+    /// How far they reach at least \[m\].
+    least_m: f64,
+    vertices: Vec<u32>,
 }

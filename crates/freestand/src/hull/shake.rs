@@ -89,6 +89,10 @@ const LEANING_RAD: f64 = 0.02;
 /// hold up what leans slowly.
 const SETTLING_1_S: f64 = 3.0;
 
+/// A body with an uneven base is first put down on it, with its speed lost at this rate \[1/s\]: dropped from where one
+/// point touches, a slender one would tip over.
+const PUT_DOWN_1_S: f64 = 30.0;
+
 /// How a history on a hull ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HullOutcome {
@@ -107,9 +111,12 @@ pub enum HullOutcome {
 }
 
 impl HullOutcome {
-    /// Whether it has left its pose, which counts as a fall.
+    /// Whether it has left its pose, or cannot stand in it, which counts as a fall.
     pub fn falls(self) -> bool {
-        matches!(self, Self::Shifted(_) | Self::Overturned | Self::Leaned)
+        matches!(
+            self,
+            Self::Shifted(_) | Self::Overturned | Self::Leaned | Self::Unsettled
+        )
     }
 }
 
@@ -443,9 +450,17 @@ impl<'b> Stepper<'b> {
 
     /// Lets it settle on its contacts. Whether it rests, in its pose.
     fn settle(&mut self) -> bool {
+        if self.body.is_uneven {
+            self.come_to_rest(PUT_DOWN_1_S);
+        }
+        self.come_to_rest(SETTLING_1_S) && self.body.nearest(&self.down()) == self.body.pose
+    }
+
+    /// Whether it comes to rest, losing its speed at this rate \[1/s\].
+    fn come_to_rest(&mut self, loss_1_s: f64) -> bool {
         let mut rested = 0;
         let needed = self.steps(RESTING_S);
-        let kept = 1.0 - SETTLING_1_S * self.longest_s;
+        let kept = 1.0 - loss_1_s * self.longest_s;
         for _ in 0..self.steps(SETTLING_S) {
             self.step(&[0.0; 3], self.longest_s);
             self.velocity_m_s = self.velocity_m_s.map(|v| kept * v);
@@ -457,7 +472,7 @@ impl<'b> Stepper<'b> {
             }
         }
         (self.velocity_m_s, self.omega_rad_s) = ([0.0; 3], [0.0; 3]);
-        rested > needed && self.body.nearest(&self.down()) == self.body.pose
+        rested > needed
     }
 
     fn steps(&self, duration_s: f64) -> usize {

@@ -2,7 +2,7 @@
 
 use super::poses::StablePose;
 use super::wall::HullWall;
-use super::{HullBody, Vector};
+use super::{HullBody, Vector, height_m};
 use crate::space::{difference, dot};
 
 /// A body in the pose in which it stands, with the points on which it is followed.
@@ -21,6 +21,8 @@ pub struct Standing {
     pub(super) base_width_m: f64,
     /// Below this share of gravity, no horizontal acceleration lifts it; 0 where that is not known.
     pub(super) quiet_ratio: f64,
+    /// Whether waves displace its base, so that it does not rest as it stands.
+    pub(super) is_uneven: bool,
 }
 
 /// Points nearer to the floor than this are on it, and a base is flat where no other point is nearer than this
@@ -85,6 +87,7 @@ impl HullBody {
             walls: Vec::new(),
             poses,
             pose,
+            is_uneven: false,
         })
     }
 }
@@ -125,6 +128,7 @@ impl Standing {
             walls: self.walls.clone(),
             poses,
             pose: self.pose,
+            is_uneven: self.is_uneven,
         }
     }
 
@@ -148,7 +152,12 @@ impl Standing {
             ..*pose
         };
         let points_m: Vec<Vector> = self.points_m.iter().map(displaced).collect();
-        let poses: Vec<StablePose> = self.poses.iter().map(posed).collect();
+        let mut poses: Vec<StablePose> = self.poses.iter().map(posed).collect();
+        if !waves.is_empty() {
+            // It settles from where its lowest point touches the floor: one that began below the floor by the height of
+            // a wave would be thrown up.
+            poses[self.pose].cg_height_m = height_m(&points_m, &down);
+        }
         let quiet_ratio = match waves.is_empty() {
             true => quiet_ratio(&points_m, &poses[self.pose]),
             false => 0.0,
@@ -158,6 +167,7 @@ impl Standing {
             points_m,
             sides_m: self.sides_m.iter().map(displaced).collect(),
             poses,
+            is_uneven: !waves.is_empty(),
             ..self.clone()
         }
     }

@@ -11,7 +11,10 @@ use crate::motion::{MAX_SAMPLES, Motion};
 use crate::rocking::{
     Base, HistoryPoint, HistoryRecorder, LONGEST_TAIL_S, Rocking, RockingOptions, rock_observed,
 };
-use crate::sliding::{Sliding, SlidingPiece, slide_observed};
+use crate::sliding::{
+    PlaneMotion, PlanePoint, PlaneSliding, Sliding, SlidingPiece, slide_in_plane_observed,
+    slide_observed,
+};
 use crate::spatial::{
     Pattern, SpatialMotion, SpatialObject, SpatialOptions, SpatialPiece, SpatialRocking,
     SpatialStart, Stack, StackRocking, rock_spatial_observed, rock_stack_observed,
@@ -77,6 +80,15 @@ pub struct SlideHistory {
     pub sliding: Sliding,
     /// At every sample of the motion and at every event; empty if not sampled.
     pub samples: Vec<SlidePoint>,
+}
+
+/// While it rolls or slides under both components.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaneSlideHistory {
+    /// What the solver found.
+    pub sliding: PlaneSliding,
+    /// At every sample of the motion; empty if not sampled.
+    pub samples: Vec<PlanePoint>,
 }
 
 /// An object that rolls or slides, at one instant.
@@ -283,6 +295,25 @@ impl Glider {
             samples.push(point(sliding.end_time_s, piece.state(piece.length_s)));
         }
         Ok(SlideHistory { sliding, samples })
+    }
+
+    /// The history under both horizontal components.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn follow_in_plane(
+        &self,
+        motion: PlaneMotion<'_>,
+        how: &HistoryOptions,
+    ) -> Result<PlaneSlideHistory, RespondError> {
+        let mut samples: Vec<PlanePoint> = Vec::new();
+        let options = how.settings.sliding(self.friction, self.clearance);
+        let sliding = slide_in_plane_observed(motion, self.yaw_rad, &options, |point| {
+            if how.is_sampled && samples.len() < MAX_SAMPLES {
+                samples.push(point);
+            }
+        })?;
+        Ok(PlaneSlideHistory { sliding, samples })
     }
 }
 

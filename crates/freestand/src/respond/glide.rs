@@ -38,7 +38,7 @@ impl Glider {
             let (travel_m, room_m, stop_speed_m_s) = match &both {
                 Some(found) => (
                     found.peak_m,
-                    found.room_m,
+                    found.room_m(),
                     self.stop_speed_m_s(plane, found),
                 ),
                 None => {
@@ -62,10 +62,10 @@ impl Glider {
     /// Without a width the one block stands for both directions: it meets the stops of both.
     fn stop_speed_m_s(&self, plane: &Plane, found: &PlaneSliding) -> Option<f64> {
         let own = usize::from(plane.along != self.planes.one.along);
-        let speeds_m_s = found.stop_speeds_m_s.into_iter().enumerate();
-        speeds_m_s
+        let contacts = found.contacts.into_iter().enumerate();
+        contacts
             .filter(|(axis, _)| self.planes.other.is_none() || *axis == own)
-            .filter_map(|(_, speed_m_s)| speed_m_s)
+            .filter_map(|(_, contact)| contact.map(|(_, velocity_m_s)| velocity_m_s.abs()))
             .reduce(f64::max)
     }
 }

@@ -30,8 +30,8 @@ use crate::wall::Walls;
 
 pub use error::RespondError;
 pub use follow::{
-    HistoryOptions, PadHistory, Release, RigidHistory, SlideHistory, SlidePoint, SpatialHistory,
-    SpatialPoint, StackHistory, StackPoint,
+    HistoryOptions, PadHistory, PlaneSlideHistory, Release, RigidHistory, SlideHistory, SlidePoint,
+    SpatialHistory, SpatialPoint, StackHistory, StackPoint,
 };
 pub use glide::Glide;
 pub use object::{

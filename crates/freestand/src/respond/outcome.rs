@@ -66,12 +66,15 @@ impl Outcome {
         }
     }
 
-    /// Of a body on its hull: one that rests in another pose has fallen.
+    /// Of a body on its hull: one that rests in another pose has fallen, and so has one that does not stand even
+    /// before the floor moves.
     pub fn on_hull(body: &HullRocking) -> Self {
         match body.outcome {
-            HullOutcome::Overturned | HullOutcome::Shifted(_) => Self::Overturned,
+            HullOutcome::Overturned | HullOutcome::Shifted(_) | HullOutcome::Unsettled => {
+                Self::Overturned
+            }
             HullOutcome::Leaned => Self::Leaned,
-            HullOutcome::Unresolved | HullOutcome::Unsettled => Self::Unresolved,
+            HullOutcome::Unresolved => Self::Unresolved,
             HullOutcome::Stood if body.uplift_m > LIFTED_M => Self::Rocked {
                 uplift_m: body.uplift_m,
             },

@@ -38,7 +38,7 @@ use crate::G0_M_S2;
 use crate::rocking::{RockingError, Until};
 
 pub use friction::{Friction, trip_speed_m_s};
-pub use plane::{PlaneMotion, PlaneSliding, slide_in_plane};
+pub use plane::{PlaneMotion, PlanePoint, PlaneSliding, slide_in_plane, slide_in_plane_observed};
 pub use solve::{SlidingPiece, slide, slide_observed};
 
 /// The room beside a block: how far it may slide to each side \[m\]; `None` where nothing is in the

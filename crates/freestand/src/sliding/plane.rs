@@ -1,6 +1,6 @@
 //! A block that slides, or rolls on casters that turn, under both horizontal components of its floor.
 
-use super::{SlidingError, SlidingOptions};
+use super::{Clearance, Friction, SlidingError, SlidingOptions};
 use crate::motion::Motion;
 use crate::rocking::{LONGEST_TAIL_S, RockingError, Until};
 
@@ -24,29 +24,55 @@ pub struct PlaneMotion<'a> {
 pub struct PlaneSliding {
     /// Largest distance from where the block stood, as if nothing were in the way \[m\].
     pub peak_m: f64,
-    /// Largest distance along an axis of the block, to either side of it: what a block with its sides along
-    /// these axes needs free on every side \[m\].
-    pub room_m: f64,
+    /// Largest distance along each axis of the block, to its negative and to its positive side: what a block with
+    /// its sides along these axes needs free there. Towards a wall at right angles to **n** it is max(−**x**·**n**)
+    /// from the face of the block \[m\].
+    pub farthest_m: [[f64; 2]; 2],
     /// Displacement at the end, along the axes of the block \[m\].
     pub final_m: [f64; 2],
     /// Length of the path \[m\].
     pub path_m: f64,
     /// Largest speed \[m/s\].
     pub speed_max_m_s: f64,
-    /// Speed towards the stop, along both axes of the block, where it first reaches a stop on that axis;
-    /// `None`: it does not \[m/s\].
-    pub stop_speeds_m_s: [Option<f64>; 2],
+    /// Time at which it first reaches a stop on each axis of the block, and its velocity along that axis there,
+    /// signed; `None`: it does not \[s, m/s\].
+    pub contacts: [Option<(f64, f64)>; 2],
+    /// Speed at the end of the history: 0, unless it ended before the block rested \[m/s\].
+    pub final_speed_m_s: f64,
     /// Time at which the history ended \[s\].
     pub end_time_s: f64,
     /// Time at which the floor fell away; `None`: it did not \[s\].
     pub free_flight_time_s: Option<f64>,
 }
 
+impl PlaneSliding {
+    /// What the block needs free on every side: the largest distance along one of its axes \[m\].
+    pub fn room_m(&self) -> f64 {
+        self.farthest_m
+            .as_flattened()
+            .iter()
+            .copied()
+            .fold(0.0, f64::max)
+    }
+}
+
+/// Where a block is that slides in the plane of its floor, along its own axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanePoint {
+    /// Time \[s\].
+    pub time_s: f64,
+    /// Place relative to the floor, from where it stood \[m\].
+    pub place_m: [f64; 2],
+    /// Velocity relative to the floor \[m/s\].
+    pub velocity_m_s: [f64; 2],
+    /// Horizontal acceleration of the floor \[m/s²\].
+    pub base_accel_m_s2: [f64; 2],
+}
+
 /// The slide of a block under both components: **v**′ = −**a** − μ (g + a_v) **v**/|**v**|, and at rest it sticks
-/// where |**a**| ≤ μ (g + a_v). The coefficient is the static one throughout. The clearances of the options
+/// where |**a**| ≤ μ_s (g + a_v); while it slides, μ is the kinetic one. The clearances of the options
 /// are those on both sides of each axis of the block, which is turned by `yaw_rad` from x towards y and does not
-/// turn as it slides; the calculation goes on as if nothing were there. Towards a wall at right angles to **n** it
-/// needs max(−**x**·**n**) from its own face: its footprint reaches that far already.
+/// turn as it slides; the calculation goes on as if nothing were there.
 ///
 /// # Method
 /// Steps of at most 0.5 ms within each sample interval: the floor's acceleration at the middle of the
@@ -63,6 +89,19 @@ pub fn slide_in_plane(
     motion: PlaneMotion<'_>,
     yaw_rad: f64,
     options: &SlidingOptions,
+) -> Result<PlaneSliding, SlidingError> {
+    slide_in_plane_observed(motion, yaw_rad, options, |_| ())
+}
+
+/// [`slide_in_plane`], which also passes the block at every sample of the motion, and at the end, to `observe`.
+///
+/// # Errors
+/// Those of [`slide_in_plane`].
+pub fn slide_in_plane_observed(
+    motion: PlaneMotion<'_>,
+    yaw_rad: f64,
+    options: &SlidingOptions,
+    mut observe: impl FnMut(PlanePoint),
 ) -> Result<PlaneSliding, SlidingError> {
     options.check()?;
     let PlaneMotion { x, y, vertical } = motion;
@@ -87,9 +126,9 @@ pub fn slide_in_plane(
     let parts = (dt_s / LONGEST_STEP_S).ceil().max(1.0);
     let step_s = dt_s / parts;
     let at = |motion: &Motion, index: usize| motion.accel_m_s2().get(index).copied().unwrap_or(0.0);
-    let clearances = [options.clearance.left_m, options.clearance.right_m];
-    let mut slider = Slider::new(clearances);
+    let mut slider = Slider::new(options);
     let (sin, cos) = yaw_rad.sin_cos();
+    let along = |a_x: f64, a_y: f64| [cos * a_x + sin * a_y, cos * a_y - sin * a_x];
     let mut index = 0;
     while (index as f64) * dt_s < end_s {
         if index >= samples
@@ -108,65 +147,85 @@ pub fn slide_in_plane(
             at(y, index + 1),
             vertical.map_or(0.0, |motion| at(motion, index + 1)),
         ];
+        observe(slider.point(index as f64 * dt_s, along(from[0], from[1])));
         for part in 0..parts as usize {
+            let time_s = index as f64 * dt_s + part as f64 * step_s;
             let share = (part as f64 + 0.5) / parts;
             let [a_x, a_y, a_v] =
                 std::array::from_fn(|way| from[way] + (to[way] - from[way]) * share);
             let weight = options.gravity_m_s2 + a_v;
             if weight <= 0.0 {
-                slider.result.free_flight_time_s = Some(index as f64 * dt_s + part as f64 * step_s);
+                slider.result.free_flight_time_s = Some(time_s);
                 return Ok(slider.finish());
             }
-            let along = [cos * a_x + sin * a_y, cos * a_y - sin * a_x];
-            slider.step(along, options.friction.static_ratio() * weight, step_s);
+            slider.step(along(a_x, a_y), weight, time_s, step_s);
         }
         index += 1;
         slider.result.end_time_s = index as f64 * dt_s;
     }
+    observe(slider.point(slider.result.end_time_s, along(at(x, index), at(y, index))));
     Ok(slider.finish())
 }
 
 struct Slider {
     velocity: [f64; 2],
     place: [f64; 2],
-    clearances_m: [Option<f64>; 2],
+    friction: Friction,
+    clearance: Clearance,
     result: PlaneSliding,
 }
 
 impl Slider {
-    fn new(clearances_m: [Option<f64>; 2]) -> Self {
+    fn new(options: &SlidingOptions) -> Self {
         let result = PlaneSliding {
             peak_m: 0.0,
-            room_m: 0.0,
+            farthest_m: [[0.0; 2]; 2],
             final_m: [0.0; 2],
             path_m: 0.0,
             speed_max_m_s: 0.0,
-            stop_speeds_m_s: [None; 2],
+            contacts: [None; 2],
+            final_speed_m_s: 0.0,
             end_time_s: 0.0,
             free_flight_time_s: None,
         };
         Self {
             velocity: [0.0; 2],
             place: [0.0; 2],
-            clearances_m,
+            friction: options.friction,
+            clearance: options.clearance,
             result,
         }
     }
 
-    /// A step under these accelerations of the floor; friction decelerates it by at most `most_m_s2`.
-    fn step(&mut self, accel_m_s2: [f64; 2], most_m_s2: f64, step_s: f64) {
+    fn point(&self, time_s: f64, base_accel_m_s2: [f64; 2]) -> PlanePoint {
+        PlanePoint {
+            time_s,
+            place_m: self.place,
+            velocity_m_s: self.velocity,
+            base_accel_m_s2,
+        }
+    }
+
+    /// A step under these accelerations of the floor, with this weight per mass.
+    fn step(&mut self, accel_m_s2: [f64; 2], weight_m_s2: f64, time_s: f64, step_s: f64) {
         let before = self.velocity;
         let pushed = [0, 1].map(|way| before[way] - accel_m_s2[way] * step_s);
         let speed = pushed[0].hypot(pushed[1]);
-        let held = most_m_s2 * step_s;
-        self.velocity = if speed <= held {
+        let held = |ratio: f64| ratio * weight_m_s2 * step_s;
+        let is_at_rest = before == [0.0; 2];
+        // It is at rest, or comes to rest within the step: then it moves on only over the static threshold.
+        let is_slow = before[0] * pushed[0] + before[1] * pushed[1] <= 0.0;
+        let sticks = is_slow
+            && accel_m_s2[0].hypot(accel_m_s2[1]) * step_s <= held(self.friction.static_ratio());
+        if is_at_rest && sticks {
+            return;
+        }
+        let held = held(self.friction.kinetic_ratio());
+        self.velocity = if sticks || speed <= held {
             [0.0; 2]
         } else {
             pushed.map(|v| v * (1.0 - held / speed))
         };
-        if before == [0.0; 2] && self.velocity == [0.0; 2] {
-            return;
-        }
         let moved = [0, 1].map(|way| 0.5 * (before[way] + self.velocity[way]) * step_s);
         for (place, moved) in self.place.iter_mut().zip(moved) {
             *place += moved;
@@ -177,21 +236,14 @@ impl Slider {
             .speed_max_m_s
             .max(self.velocity[0].hypot(self.velocity[1]));
         result.peak_m = result.peak_m.max(self.place[0].hypot(self.place[1]));
-        result.room_m = self
-            .place
-            .iter()
-            .fold(result.room_m, |most, place| most.max(place.abs()));
-        let [left_m, right_m] = self.clearances_m;
-        for ((place, moved), stop_speed) in self
-            .place
-            .into_iter()
-            .zip(moved)
-            .zip(&mut result.stop_speeds_m_s)
-        {
+        let Clearance { left_m, right_m } = self.clearance;
+        for (way, (place, moved)) in self.place.into_iter().zip(moved).enumerate() {
+            let [negative, positive] = &mut result.farthest_m[way];
+            (*negative, *positive) = (negative.max(-place), positive.max(place));
             let is_beyond = left_m.is_some_and(|room_m| place <= -room_m && moved < 0.0)
                 || right_m.is_some_and(|room_m| place >= room_m && moved > 0.0);
             if is_beyond {
-                stop_speed.get_or_insert((moved / step_s).abs());
+                result.contacts[way].get_or_insert((time_s + step_s, moved / step_s));
             }
         }
     }
@@ -199,6 +251,7 @@ impl Slider {
     fn finish(self) -> PlaneSliding {
         PlaneSliding {
             final_m: self.place,
+            final_speed_m_s: self.velocity[0].hypot(self.velocity[1]),
             ..self.result
         }
     }
@@ -209,7 +262,7 @@ mod tests {
     use super::*;
     use crate::G0_M_S2;
     use crate::rocking::Base;
-    use crate::sliding::{Clearance, Friction, slide};
+    use crate::sliding::slide;
 
     /// A decaying wave of these periods, 0.01 s apart.
     fn wave(peak_g: f64, period_s: f64) -> Motion {
@@ -221,6 +274,11 @@ mod tests {
     }
 
     fn options(ratio: f64, room_m: Option<f64>) -> SlidingOptions {
+        of_both(ratio, ratio, room_m)
+    }
+
+    fn of_both(static_ratio: f64, kinetic_ratio: f64, room_m: Option<f64>) -> SlidingOptions {
+        let friction = Friction::new(static_ratio, kinetic_ratio).unwrap();
         SlidingOptions {
             clearance: Clearance {
                 left_m: room_m,
@@ -229,20 +287,23 @@ mod tests {
             until: Until::Settled {
                 at_most_s: LONGEST_TAIL_S,
             },
-            ..SlidingOptions::new(Friction::uniform(ratio).unwrap())
+            ..SlidingOptions::new(friction)
         }
     }
 
     #[test]
     fn one_component_is_the_exact_slider() {
         let still = wave(0.0, 1.0);
-        for (peak_g, period_s, ratio) in [
-            (0.5, 1.0, 0.2),
-            (0.9, 0.7, 0.3),
-            (0.4, 2.0, 0.02),
-            (0.25, 1.0, 0.3),
+        for (peak_g, period_s, ratio, kinetic_ratio) in [
+            (0.5, 1.0, 0.2, 0.2),
+            (0.9, 0.7, 0.3, 0.3),
+            (0.4, 2.0, 0.02, 0.02),
+            (0.25, 1.0, 0.3, 0.3),
+            (0.5, 1.0, 0.3, 0.2),
+            (0.9, 0.7, 0.25, 0.05),
         ] {
-            let (one, options) = (wave(peak_g, period_s), options(ratio, Some(0.03)));
+            let options = of_both(ratio, kinetic_ratio, Some(0.03));
+            let one = wave(peak_g, period_s);
             let exact = slide(
                 Base {
                     horizontal: Some(&one),
@@ -282,13 +343,14 @@ mod tests {
                 exact.path_m
             );
             assert_eq!(found.final_m[1], 0.0);
-            assert_eq!(found.room_m, found.peak_m);
-            assert_eq!(found.stop_speeds_m_s[0].is_some(), exact.contact.is_some());
-            let speeds = found.stop_speeds_m_s[0].zip(exact.contact);
-            // The speed where a stop stands is reached within a step, half a millisecond of 1 g.
+            assert_eq!(found.room_m(), found.peak_m);
+            assert_eq!(found.contacts[0].is_some(), exact.contact.is_some());
+            let contacts = found.contacts[0].zip(exact.contact);
+            // A stop is reached within a step: half a millisecond, in which 1 g changes the speed by 5 mm/s.
             assert!(
-                speeds.is_none_or(|(found, (_, exact))| (found - exact.abs()).abs() < 5e-3),
-                "{speeds:?}"
+                contacts.is_none_or(|(found, exact)| (found.0 - exact.0).abs() < 2e-3
+                    && (found.1 - exact.1).abs() < 5e-3),
+                "{contacts:?}"
             );
         }
     }
@@ -335,14 +397,14 @@ mod tests {
         };
         let yawed = slide_in_plane(both, 0.7, &options(0.2, None)).unwrap();
         assert!(
-            (yawed.room_m / turned.room_m - 1.0).abs() < 1e-9,
+            (yawed.room_m() / turned.room_m() - 1.0).abs() < 1e-9,
             "{yawed:?}"
         );
         assert!(
-            (yawed.room_m / along.room_m - 1.0).abs() > 0.01,
+            (yawed.room_m() / along.room_m() - 1.0).abs() > 0.01,
             "{yawed:?}"
         );
-        assert!((0.5_f64.sqrt()..=1.0).contains(&(yawed.room_m / yawed.peak_m)));
+        assert!((0.5_f64.sqrt()..=1.0).contains(&(yawed.room_m() / yawed.peak_m)));
         let still = wave(0.0, 1.0);
         assert!(
             along.peak_m > found(&first, &still).peak_m && along.peak_m > 0.05,

@@ -90,6 +90,12 @@ fn travelled(v: f64, a: f64, j: f64, tau: f64) -> f64 {
     v + tau * (0.5 * a + tau * (j / 6.0))
 }
 
+/// What is this small, relative to the motion or to the largest speed, may be rounding: some thousand roundings of
+/// the times and speeds before it. A block whose speed only touches 0 sticks there, and one that stops at the
+/// threshold sticks. With μ_k < μ_s it would go on otherwise, with a whole acceleration of up to (μ_s + μ_k) g, and
+/// rounding must not choose.
+const TIE: f64 = 1e-12;
+
 /// One straight line of the motion: ü_h and the weight per mass, g + ü_v, at both ends.
 #[derive(Debug, Clone, Copy)]
 struct Interval {
@@ -192,6 +198,19 @@ impl Interval {
         let share = tau * self.per_s;
         let at = |[from, to]: [f64; 2]| from + (to - from) * share;
         (at(self.u), at(self.weight))
+    }
+
+    /// Whether a block at rest at `tau` sticks: |ü_h| is not above the threshold by more than rounding.
+    #[inline(always)]
+    fn holds(&self, limit: f64, tau: f64) -> bool {
+        let (u, weight) = self.after(tau);
+        u.abs() <= limit * weight + self.tie()
+    }
+
+    /// What rounding may make of ü_h in it.
+    #[inline(always)]
+    fn tie(&self) -> f64 {
+        TIE * self.u[0].abs().max(self.u[1].abs())
     }
 
     /// The first `length_s` of it.
@@ -338,7 +357,8 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
             accel = accel.max(0.0);
         }
         let rest = interval.length_s - tau;
-        let stop = stop(speed, accel, jerk, rest);
+        let least = TIE * self.result.speed_max_m_s;
+        let stop = stop(speed, accel, jerk, rest, least);
         let used = stop.unwrap_or(rest);
         let before = self.result.final_m;
         let (piece, start_s) = ((speed, accel, jerk), interval.start_s + tau);
@@ -372,12 +392,11 @@ impl<F: FnMut(&SlidingPiece)> Slider<F> {
         // Rounding may leave a stop at the instant of its onset: every step takes some time.
         let end = (tau + used).max(tau.next_up()).min(interval.length_s);
         self.note_peak(interval.start_s + end);
-        let (u, weight) = interval.after(end);
-        self.phase = if u.abs() <= self.friction.static_ratio() * weight {
+        self.phase = if interval.holds(self.friction.static_ratio(), end) {
             Phase::Stuck
         } else {
             Phase::Sliding {
-                sense: -u.signum(),
+                sense: -interval.after(end).0.signum(),
                 speed: 0.0,
             }
         };
@@ -452,10 +471,11 @@ fn onset(interval: &Interval, limit: f64, tau: f64) -> Option<(f64, f64)> {
             limit * weight + sense * u,
             limit * weight_end + sense * u_end,
         );
-        let at = if from < 0.0 {
+        // At the threshold, to rounding, the block slides only where |ü_h| rises.
+        let at = if from < -interval.tie() {
             tau
-        } else if to < 0.0 {
-            tau + (interval.length_s - tau) * (from / (from - to))
+        } else if to < from.min(0.0) {
+            tau + (interval.length_s - tau) * (from.max(0.0) / (from.max(0.0) - to))
         } else {
             continue;
         };
@@ -467,12 +487,12 @@ fn onset(interval: &Interval, limit: f64, tau: f64) -> Option<(f64, f64)> {
 }
 
 /// The first time in (0, rest] at which speed + accel τ + jerk τ²/2, which starts at or above 0,
-/// returns to 0.
+/// returns to 0, or down to `least`, which is 0 to rounding.
 #[inline(always)]
-fn stop(speed: f64, accel: f64, jerk: f64, rest: f64) -> Option<f64> {
+fn stop(speed: f64, accel: f64, jerk: f64, rest: f64, least: f64) -> Option<f64> {
     let end = speed + rest * (accel + 0.5 * rest * jerk);
     // Bernstein coefficients on the interval: all positive, no root.
-    if end > 0.0 && speed + 0.5 * rest * accel > 0.0 {
+    if end > least && speed + 0.5 * rest * accel > 0.0 {
         return None;
     }
     let root = if speed == 0.0 {
@@ -484,7 +504,13 @@ fn stop(speed: f64, accel: f64, jerk: f64, rest: f64) -> Option<f64> {
     } else {
         let discriminant = accel * accel - 2.0 * jerk * speed;
         if discriminant < 0.0 {
-            f64::INFINITY
+            // The speed is smallest, and touches 0, where ẍ = 0.
+            let touch = -accel / jerk;
+            if touch > 0.0 && speed + 0.5 * touch * accel <= least {
+                touch
+            } else {
+                f64::INFINITY
+            }
         } else if accel > 0.0 {
             // Only a falling acceleration stops it; the larger root, without cancellation.
             if jerk < 0.0 {
@@ -499,7 +525,9 @@ fn stop(speed: f64, accel: f64, jerk: f64, rest: f64) -> Option<f64> {
     };
     if root <= rest {
         Some(root)
-    } else if end <= 0.0 && !(speed == 0.0 && accel == 0.0 && jerk == 0.0) {
+    } else if (end <= 0.0 && !(speed == 0.0 && accel == 0.0 && jerk == 0.0))
+        || (end <= least && end < speed)
+    {
         // Rounding took the root past the end of the interval, where the block stands still.
         Some(rest)
     } else {

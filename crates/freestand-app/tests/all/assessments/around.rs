@@ -657,6 +657,28 @@ fn a_wall_that_is_not_listed_is_tried() {
     assert_eq!(found["listed"]["p_overturn_wall_touching"], "");
 }
 
+/// What touches a wall and would be left by its planar calculation alone is left only where it also stays on a stiff
+/// floor in three dimensions: of these two, which fall in none of 20 worlds in the plane, the wider one does.
+#[test]
+fn a_touching_wall_needs_the_stiff_floor_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "[ground]\nhazard_factor = 0.2\n[building]\nstoreys = 4\n[worlds]\nfirst = 20\nmost = 20\nshares = false\n\
+                [assessment]\naccepted = 0.3\n";
+    let list = "id,level_ratio,height [mm],thickness [mm],width [mm],wall_gap [mm]\n\
+                narrow,0,1800,440,440,0\nwide,0,1800,520,520,0\n";
+    assess_list(folder.path(), text, list);
+    let found = by_id(folder.path());
+    for (id, decision) in [("narrow", "restrain"), ("wide", "leave")] {
+        let row = &found[id];
+        // The probability is that of the planar calculation: its whole interval is accepted.
+        let high: f64 = row["p_overturn_high"].parse().unwrap();
+        assert!(high < 0.3, "{id}: {high}");
+        assert_eq!(row["decision"], decision, "{id}: {}", row["why"]);
+        let is_told = row["why"].contains("in three dimensions on a stiff floor");
+        assert_eq!(is_told, decision == "restrain", "{id}: {}", row["why"]);
+    }
+}
+
 /// Where the floor falls away, an object on pads flies and is followed; without pads that world is not
 /// known, and is not counted as one in which it stands.
 #[test]

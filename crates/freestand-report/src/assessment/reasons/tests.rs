@@ -174,6 +174,7 @@ fn every_reason_in_words() {
         Note::WallShockNotCompared,
         failed(false),
         failed(true),
+        Note::TipsAtRest { worlds: 1, of: 20 },
         Note::Flies { worlds: 3, of: 320 },
         Note::FliesWithoutPads,
         without(WithoutPads::BesideWall),
