@@ -9,10 +9,10 @@ use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
 use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
-use freestand::synthesis::{SynthesisError, SynthesisOptions, with_pulse};
+use freestand::synthesis::{SynthesisOptions, with_pulse};
 use freestand::worlds::{
     BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions,
-    place_among, world_motion, world_stream,
+    WorldPulse, WorldSpectra, place_among, world_motion, world_stream,
 };
 use rayon::prelude::*;
 
@@ -466,6 +466,54 @@ impl<'a> Worlds<'a> {
         Ok(Some(made))
     }
 
+    /// The spectrum that the horizontal motions deviate from, without their pulses \[g\].
+    fn horizontal_sa_g(&self, ground: &SyntheticGround, period_s: f64) -> f64 {
+        let sa_g = ground.target.spectrum.sa_g(period_s);
+        let pulses = self.pulses.as_ref();
+        pulses.map_or(sa_g, |pulses| pulses.lowered_sa_g(period_s, sa_g))
+    }
+
+    /// The pulse of a world with its amplitude \[m/s\] at the intensity of the study, if it has one.
+    ///
+    /// # Errors
+    /// A spectrum that cannot be calculated.
+    pub fn pulse(&self, world: u32) -> Result<Option<(WorldPulse, f64)>, Problems> {
+        let Source::Synthetic(ground) = &self.source else {
+            return Ok(None);
+        };
+        let spectra = self.spread.spectra(ground.seed, world, 0);
+        self.pulse_under(ground, &spectra, (world, 0))
+    }
+
+    fn pulse_under(
+        &self,
+        ground: &SyntheticGround,
+        spectra: &WorldSpectra,
+        (world, again): (u32, u32),
+    ) -> Result<Option<(WorldPulse, f64)>, Problems> {
+        let pulses = self.pulses.as_ref();
+        let Some(pulse) = pulses.and_then(|pulses| pulses.draw(ground.seed, world, again)) else {
+            return Ok(None);
+        };
+        let WorldSettings {
+            components,
+            component_ratio,
+            ..
+        } = self.study.assessment.worlds;
+        // The spectrum under the pulse: the geometric mean of the components.
+        let under = |t: f64| {
+            let sa_g = self.horizontal_sa_g(ground, t);
+            let x = spectra.x.sa_g(t, sa_g);
+            match components {
+                1 => x,
+                _ => (x * spectra.y.sa_g(t, component_ratio * sa_g)).sqrt(),
+            }
+        };
+        let amplitude_m_s = pulse.amplitude_m_s(under);
+        let amplitude_m_s = amplitude_m_s.map_err(failed("a velocity pulse"))?;
+        Ok(Some((pulse, amplitude_m_s)))
+    }
+
     /// The horizontal motion, and the vertical one with random numbers of its own.
     fn synthetic(
         &self,
@@ -480,25 +528,8 @@ impl<'a> Worlds<'a> {
             component_ratio,
             ..
         } = self.study.assessment.worlds;
-        let horizontal = |t: f64| {
-            let sa_g = ground.target.spectrum.sa_g(t);
-            let pulses = self.pulses.as_ref();
-            pulses.map_or(sa_g, |pulses| pulses.lowered_sa_g(t, sa_g))
-        };
-        let pulse = self.pulses.as_ref();
-        let pulse = pulse.and_then(|pulses| pulses.draw(ground.seed, world, again));
-        // The spectrum under the pulse: the geometric mean of the components.
-        let under_pulse = |t: f64| match components {
-            1 => spectra.x.sa_g(t, horizontal(t)),
-            _ => {
-                let y = spectra.y.sa_g(t, component_ratio * horizontal(t));
-                (spectra.x.sa_g(t, horizontal(t)) * y).sqrt()
-            }
-        };
-        let amplitude = pulse.map(|pulse| Ok((pulse, pulse.amplitude_m_s(under_pulse)?)));
-        let pulse = amplitude
-            .transpose()
-            .map_err(failed::<SynthesisError>("a velocity pulse"))?;
+        let horizontal = |t: f64| self.horizontal_sa_g(ground, t);
+        let pulse = self.pulse_under(ground, &spectra, (world, again))?;
         let component = |component| {
             let target = |t: f64| match component {
                 Component::X => horizontal(t),

@@ -75,3 +75,79 @@ pub fn check_place(words: &Words) -> Result<(), Problems> {
     let target = Target::resolve_place(&spectrum_words(words))?;
     near_fault(words, Some(&target)).map(|_| ())
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::resolve::resolve;
+    use crate::study::Ground;
+
+    /// Distance in km and magnitude of the fault of a study.
+    fn fault(ground: &str) -> Option<(f64, Option<f64>)> {
+        let study = resolve(&format!("[ground]\n{ground}\n"), None, "".as_ref()).unwrap();
+        let Ground::Synthetic(ground) = study.ground else {
+            panic!("synthetic motions");
+        };
+        let fault = ground.near_fault?;
+        Some((fault.distance_m() / 1e3, fault.magnitude()))
+    }
+
+    #[test]
+    fn a_fault_is_stated_or_that_of_the_place() {
+        assert_eq!(fault("place = \"Lisbon\""), None);
+        let stated = "place = \"Lisbon\"\nfault_distance = \"5 km\"\nfault_magnitude = 7.1";
+        assert_eq!(fault(stated), Some((5.0, Some(7.1))));
+        assert_eq!(fault("fault_distance = \"0 km\""), Some((0.0, None)));
+        // Of the table of places, unless another is stated; no fault is near Auckland.
+        assert_eq!(fault("place = \"Kaikoura\""), Some((6.0, None)));
+        assert_eq!(
+            fault("place = \"Kaikoura\"\nfault_magnitude = 7.8"),
+            Some((6.0, Some(7.8)))
+        );
+        assert_eq!(
+            fault("place = \"Kaikoura\"\nfault_distance = \"9 km\""),
+            Some((9.0, None))
+        );
+        assert_eq!(fault("place = \"Auckland\""), None);
+        // R = 0.5: the code counts no fault as near; whoever states one has it.
+        let rarer = "place = \"Kaikoura\"\nreturn_period_years = 100";
+        assert_eq!(fault(rarer), None);
+        assert_eq!(
+            fault(&format!("{rarer}\nfault_distance = \"6 km\"")),
+            Some((6.0, None))
+        );
+    }
+
+    #[test]
+    fn what_is_wrong_is_told_with_its_line() {
+        for (ground, line, said) in [
+            ("fault_distance = \"5\"", 3, "needs a unit"),
+            ("fault_distance = \"-1 km\"", 3, "must be 0 or more"),
+            (
+                "fault_distance = \"1001 km\"",
+                3,
+                "must be at most 1000 km, not 1001 km",
+            ),
+            (
+                "fault_distance = \"5 km\"\nfault_magnitude = 9",
+                4,
+                "must be from 5 to 8.5, not 9",
+            ),
+            ("fault_magnitude = 7", 3, "needs fault_distance"),
+        ] {
+            let text = format!("[ground]\nplace = \"Lisbon\"\n{ground}\n");
+            let told = resolve(&text, None, "".as_ref()).unwrap_err().problems;
+            assert!(
+                told.len() == 1 && told[0].message.contains(said),
+                "{told:?}"
+            );
+            assert_eq!(told[0].line, Some(line), "{told:?}");
+        }
+        // Records are what they are.
+        let records = "[ground]\nmotions = [\"a.csv\"]\nfault_distance = \"5 km\"\n";
+        let told = resolve(records, None, "".as_ref()).unwrap_err().to_string();
+        assert!(
+            told.contains("fault_distance and motions exclude each other"),
+            "{told}"
+        );
+    }
+}
