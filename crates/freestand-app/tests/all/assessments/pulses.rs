@@ -1,6 +1,10 @@
 //! Velocity pulses in the worlds of a study near a fault, on every floor, and what is said of them.
 
-#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
+#![expect(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests may stop"
+)]
 
 use std::sync::Arc;
 
