@@ -14,8 +14,8 @@ use freestand_study::study::Study;
 
 use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
-use crate::place::{self, PlaceKeys};
-use crate::request::{Request as _, Switch, path, request};
+use crate::place::{self, FaultKeys, PlaceKeys};
+use crate::request::{Switch, path, request};
 use crate::study;
 
 request! {
@@ -28,6 +28,9 @@ request! {
         /// A place.
         #[command(flatten)]
         pub hazard: PlaceKeys,
+        /// Its fault.
+        #[command(flatten)]
+        pub fault: FaultKeys,
         /// Inventory (CSV or XLSX); replaces the inventory of the study
         #[arg(long, value_name = "FILE")]
         pub inventory: Option<Written>,
@@ -101,8 +104,9 @@ impl ListKeys {
 
     /// What is asked of a study and its list.
     pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
-        let hazard = self.hazard.words();
+        let hazard = self.hazard.words_with(&self.fault);
         read.pass(&place::KEYS);
+        read.pass(&place::FAULT_KEYS);
         let storeys = read.whole_within("storeys", 1..=MAX_STOREYS);
         ListMeant {
             source: study::source_without_flag(read, files),

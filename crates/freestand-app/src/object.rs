@@ -13,12 +13,13 @@ use freestand_inventory::{CASTERS, Surroundings, UpperBody};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::hull::Surface;
 use freestand_study::hull::body::Form;
+use freestand_study::near_fault::near_fault;
 use freestand_study::resolve::Overrides;
 
 use crate::block::{self, sizes};
 use crate::body::{self, BodyShape};
 use crate::files::Files;
-use crate::place::{self, PlaceKeys};
+use crate::place::{self, FaultKeys, PlaceKeys};
 use crate::records::{NamedRecords, Records};
 use crate::request::{Question, Request as _, one_of, reader, request, seed, typed_units};
 use crate::study;
@@ -76,6 +77,9 @@ request! { question
         /// A place.
         #[command(flatten)]
         pub hazard: PlaceKeys,
+        /// Its fault.
+        #[command(flatten)]
+        pub fault: FaultKeys,
         /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
         /// ground B, scaled to it
         #[arg(
@@ -329,8 +333,9 @@ impl Object {
 
     /// Exactly one earthquake, with the keys that belong to it.
     fn earthquake(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Earthquake> {
-        let hazard = self.hazard.words();
+        let hazard = self.hazard.words_with(&self.fault);
         read.pass(&place::KEYS);
+        read.pass(&place::FAULT_KEYS);
         let (has_place, has_study) = (read.has("place"), read.has("study"));
         if has_place && !has_study {
             read.problems.keep(check_place(&hazard));
@@ -339,6 +344,20 @@ impl Object {
         let scales = read.grid("scales", Dimension::Ratio);
         let source = study::source(read, files);
         let has_motion = !self.motion.is_empty();
+        if has_motion {
+            for key in place::FAULT_KEYS
+                .into_iter()
+                .filter(|key| read.words.get(key).is_some())
+            {
+                read.problems.push(
+                    Problem::value(
+                        format!("`{key}` does not apply: the motions of the floor are given"),
+                        format!("leave `{key}` out: a record near a fault has its pulse"),
+                    )
+                    .of(&[key]),
+                );
+            }
+        }
         if !has_motion && read.has("scales") {
             read.note(
                 &["scales"],
@@ -366,7 +385,10 @@ impl Object {
         }
         match named[..] {
             ["place"] => Some(Earthquake::Place(hazard)),
-            ["pga"] => Some(Earthquake::GroundAcceleration(peak_m_s2?)),
+            ["pga"] => Some(Earthquake::GroundAcceleration {
+                near_fault: read.problems.keep(near_fault(&self.fault.words(), None))?,
+                peak_m_s2: peak_m_s2?,
+            }),
             ["study"] => Some(Earthquake::Study {
                 source: source?,
                 hazard,

@@ -1,9 +1,10 @@
 //! A place with the hazard of its code.
 
 use clap::Arg;
+use freestand_input::keys::Words;
 use freestand_input::written::Written;
 
-use crate::request::request;
+use crate::request::{Request as _, request};
 
 request! {
     /// A place with the hazard of its code.
@@ -20,7 +21,32 @@ request! {
     }
 }
 
-/// These keys.
+request! {
+    /// The fault of the earthquake, whose velocity pulses are in the worlds.
+    pub struct FaultKeys {
+        /// Closest distance to the fault on which the earthquake happens, up to 50 km: a share of the worlds
+        /// then has a velocity pulse [default: that of a place in New Zealand, else no fault]
+        #[arg(long, value_name = "LENGTH")]
+        pub fault_distance: Option<Written>,
+        /// Magnitude of that earthquake, for its pulses [default: drawn from 6.5 to 7]
+        #[arg(long, value_name = "M")]
+        pub fault_magnitude: Option<Written>,
+    }
+}
+
+/// The keys of the fault.
+pub(crate) const FAULT_KEYS: [&str; 2] = ["fault_distance", "fault_magnitude"];
+
+impl PlaceKeys {
+    /// The words of the place and of its fault.
+    pub(crate) fn words_with(&self, fault: &FaultKeys) -> Words {
+        let mut words = self.words();
+        fault.write(&mut words);
+        words
+    }
+}
+
+/// The keys of the place.
 pub(crate) const KEYS: [&str; 3] = ["place", "site", "return_period_years"];
 
 /// Their heading in the help of a command that has a study.
@@ -28,7 +54,8 @@ pub const OF_STUDY: &str = "Hazard, in place of that of the study";
 
 /// Puts these keys under a heading of the help.
 pub fn under(arg: Arg, heading: &'static str) -> Arg {
-    if KEYS.contains(&arg.get_id().as_str()) {
+    let key = arg.get_id().as_str();
+    if KEYS.contains(&key) || FAULT_KEYS.contains(&key) {
         arg.help_heading(heading)
     } else {
         arg

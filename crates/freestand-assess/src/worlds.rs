@@ -9,10 +9,10 @@ use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
 use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
-use freestand::synthesis::SynthesisOptions;
+use freestand::synthesis::{SynthesisOptions, with_pulse};
 use freestand::worlds::{
-    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among,
-    world_motion, world_stream,
+    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions,
+    WorldPulse, WorldSpectra, place_among, world_motion, world_stream,
 };
 use rayon::prelude::*;
 
@@ -87,6 +87,8 @@ pub struct Worlds<'a> {
     study: &'a Study,
     source: Source<'a>,
     spread: GroundSpread,
+    /// `None`: no world has a pulse.
+    pulses: Option<Pulses>,
     building: BuildingSpread,
     /// Factor on the ground motions, for rates per year.
     intensity_ratio: f64,
@@ -272,9 +274,19 @@ impl<'a> Worlds<'a> {
             intensity_spread,
             component_correlation,
         };
+        let pulses = match &study.ground {
+            Ground::Synthetic(SyntheticGround {
+                target,
+                near_fault: Some(fault),
+                ..
+            }) => Pulses::new(*fault, |t| target.spectrum.sa_g(t))
+                .map_err(failed("the velocity pulses"))?,
+            _ => None,
+        };
         Ok(Self {
             study,
             source,
+            pulses,
             spread: GroundSpread::new(options).map_err(refused)?,
             building: BuildingSpread::new(period_spread, damping_spread).map_err(refused)?,
             intensity_ratio: 1.0,
@@ -392,6 +404,7 @@ impl<'a> Worlds<'a> {
             study: self.study,
             source: self.source.clone(),
             spread: self.spread.clone(),
+            pulses: self.pulses.clone(),
             building: self.building,
             intensity_ratio: ratio,
             kept: Arc::clone(&self.kept),
@@ -453,6 +466,54 @@ impl<'a> Worlds<'a> {
         Ok(Some(made))
     }
 
+    /// The spectrum that the horizontal motions deviate from, without their pulses \[g\].
+    fn horizontal_sa_g(&self, ground: &SyntheticGround, period_s: f64) -> f64 {
+        let sa_g = ground.target.spectrum.sa_g(period_s);
+        let pulses = self.pulses.as_ref();
+        pulses.map_or(sa_g, |pulses| pulses.lowered_sa_g(period_s, sa_g))
+    }
+
+    /// The pulse of a world with its amplitude \[m/s\] at the intensity of the study, if it has one.
+    ///
+    /// # Errors
+    /// A spectrum that cannot be calculated.
+    pub fn pulse(&self, world: u32) -> Result<Option<(WorldPulse, f64)>, Problems> {
+        let Source::Synthetic(ground) = &self.source else {
+            return Ok(None);
+        };
+        let spectra = self.spread.spectra(ground.seed, world, 0);
+        self.pulse_under(ground, &spectra, (world, 0))
+    }
+
+    fn pulse_under(
+        &self,
+        ground: &SyntheticGround,
+        spectra: &WorldSpectra,
+        (world, again): (u32, u32),
+    ) -> Result<Option<(WorldPulse, f64)>, Problems> {
+        let pulses = self.pulses.as_ref();
+        let Some(pulse) = pulses.and_then(|pulses| pulses.draw(ground.seed, world, again)) else {
+            return Ok(None);
+        };
+        let WorldSettings {
+            components,
+            component_ratio,
+            ..
+        } = self.study.assessment.worlds;
+        // The spectrum under the pulse: the geometric mean of the components.
+        let under = |t: f64| {
+            let sa_g = self.horizontal_sa_g(ground, t);
+            let x = spectra.x.sa_g(t, sa_g);
+            match components {
+                1 => x,
+                _ => (x * spectra.y.sa_g(t, component_ratio * sa_g)).sqrt(),
+            }
+        };
+        let amplitude_m_s = pulse.amplitude_m_s(under);
+        let amplitude_m_s = amplitude_m_s.map_err(failed("a velocity pulse"))?;
+        Ok(Some((pulse, amplitude_m_s)))
+    }
+
     /// The horizontal motion, and the vertical one with random numbers of its own.
     fn synthetic(
         &self,
@@ -467,10 +528,12 @@ impl<'a> Worlds<'a> {
             component_ratio,
             ..
         } = self.study.assessment.worlds;
+        let horizontal = |t: f64| self.horizontal_sa_g(ground, t);
+        let pulse = self.pulse_under(ground, &spectra, (world, again))?;
         let component = |component| {
             let target = |t: f64| match component {
-                Component::X => ground.target.spectrum.sa_g(t),
-                Component::Y => component_ratio * ground.target.spectrum.sa_g(t),
+                Component::X => horizontal(t),
+                Component::Y => component_ratio * horizontal(t),
                 Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
             };
             let made = world_motion(
@@ -480,7 +543,14 @@ impl<'a> Worlds<'a> {
                 (ground.seed, world, again),
                 &options,
             );
-            made.map(|made| made.motion).map_err(failed("a motion"))
+            let made = made.map_err(failed("a motion"))?.motion;
+            let Some((pulse, amplitude_m_s)) = pulse.filter(|_| component != Component::Vertical)
+            else {
+                return Ok(made);
+            };
+            let amplitude_m_s = amplitude_m_s * pulse.part(component);
+            with_pulse(&made, &pulse.shape, amplitude_m_s, &options)
+                .map_err(failed("a velocity pulse"))
         };
         let across = match components {
             1 => None,

@@ -148,6 +148,7 @@ const SAME: &[&str] = &[
     "city",
     "code",
     "component",
+    "fault_magnitude",
     "cushion",
     "edition",
     "exponent",

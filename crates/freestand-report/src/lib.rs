@@ -8,6 +8,7 @@ pub mod fragility;
 pub mod library;
 pub mod list;
 pub mod motion;
+mod near_fault;
 pub mod object;
 pub mod place;
 #[cfg(test)]

@@ -13,6 +13,7 @@ pub mod inspect;
 pub mod laboratory;
 pub mod law;
 pub mod matched;
+pub mod near_fault;
 mod options;
 pub mod pair;
 pub mod places;

@@ -10,6 +10,7 @@ mod shaking;
 
 use std::sync::Arc;
 
+use freestand::worlds::NearFault;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
@@ -148,8 +149,13 @@ pub struct Withstood {
 pub enum Earthquake {
     /// The hazard of a place by its code: the keys `place`, `site`, `return_period_years` of a study.
     Place(Words),
-    /// A peak acceleration of the ground \[m/s²\], with the spectrum of Eurocode 8, type 1, ground B.
-    GroundAcceleration(f64),
+    /// A peak acceleration of the ground, with the spectrum of Eurocode 8, type 1, ground B.
+    GroundAcceleration {
+        /// Its value \[m/s²\].
+        peak_m_s2: f64,
+        /// The fault of the earthquake, if one is known.
+        near_fault: Option<NearFault>,
+    },
     /// The ground motions and the building of a study, perhaps with the hazard of a place.
     Study {
         /// The study.
@@ -521,7 +527,7 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
             );
         }
         Earthquake::Study { .. } => {}
-        Earthquake::Place(_) | Earthquake::GroundAcceleration(_) => {
+        Earthquake::Place(_) | Earthquake::GroundAcceleration { .. } => {
             if matches!(place, FloorPlace::Name(_)) && storeys.is_none() {
                 note(
                     &["floor", "storeys"],
@@ -547,7 +553,7 @@ pub fn check(request: &ObjectRequest) -> Result<(), Problems> {
             }
         }
     }
-    if let Earthquake::GroundAcceleration(peak_m_s2) = request.earthquake
+    if let Earthquake::GroundAcceleration { peak_m_s2, .. } = request.earthquake
         && peak_m_s2 > MAX_PEAK_M_S2
     {
         note(

@@ -6,6 +6,7 @@ use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::notes::grouped;
+use freestand_study::near_fault;
 use freestand_study::places::{Confidence, Place, near};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
@@ -69,7 +70,10 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             }
             shaken
         }
-        Earthquake::GroundAcceleration(peak_m_s2) => {
+        Earthquake::GroundAcceleration {
+            peak_m_s2,
+            near_fault,
+        } => {
             // a_g S is the value of the spectrum at T = 0: EN 1998-1:2004, Eq. (3.2).
             let soil = SpectrumShape::recommended(SPECTRUM.0, SPECTRUM.1).soil_factor_ratio;
             let target = Target::eurocode8(SPECTRUM.0, SPECTRUM.1, peak_m_s2 / soil / G0_M_S2)
@@ -77,7 +81,10 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
                     Problem::value(format!("`pga`: {error}"), "give an acceleration above 0")
                 })?;
             let peak_g = peak_m_s2 / G0_M_S2;
-            let study = of_values(&values(Hazard::Spectrum(Box::new(target))))?;
+            let mut study = of_values(&values(Hazard::Spectrum(Box::new(target))))?;
+            if let Ground::Synthetic(synthetic) = &mut study.ground {
+                synthetic.near_fault = *near_fault;
+            }
             let warnings = of_ground(&study, &request.floor);
             Shaken {
                 warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
@@ -152,8 +159,8 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
             problem
         }
     };
-    let checked = Target::resolve_place(hazard).map(|_| ());
-    checked.map_err(|problems| problems.into_iter().map(earthquake).collect())
+    near_fault::check_place(hazard)
+        .map_err(|problems| problems.into_iter().map(earthquake).collect())
 }
 
 /// The warnings for an object on the ground: the building has no part in the answer. `None`: it is on a floor.
@@ -251,7 +258,13 @@ mod tests {
     /// The peak acceleration of the ground is the spectrum at T = 0, with the soil factor in it.
     #[test]
     fn a_ground_acceleration_is_the_value_at_no_period() {
-        let found = shaken_by(Earthquake::GroundAcceleration(0.4 * G0_M_S2), Some(5));
+        let found = shaken_by(
+            Earthquake::GroundAcceleration {
+                peak_m_s2: 0.4 * G0_M_S2,
+                near_fault: None,
+            },
+            Some(5),
+        );
         let target = found.study.ground.code_spectrum().unwrap();
         assert!(
             (target.spectrum.sa_g(0.0) - 0.4).abs() < 1e-15,

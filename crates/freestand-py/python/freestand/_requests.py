@@ -59,6 +59,8 @@ def check_object(
     place: str | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
+    fault_distance_m: float | None = None,
+    fault_magnitude: float | None = None,
     pga_g: float | None = None,
     study: Study | None = None,
     motions: Motion | Iterable[Motion] | None = None,
@@ -116,6 +118,8 @@ def check_object(
         A place with the hazard of its code, and the class of its site.
     return_period_years : float, optional
         Return period of the hazard [years].
+    fault_distance_m, fault_magnitude : float, optional
+        Distance to the fault of the earthquake [m], and its magnitude: a share of the worlds then has velocity pulses.
     pga_g : float, optional
         Peak acceleration of the ground [g].
     study : path, str or dict, optional
@@ -160,7 +164,7 @@ def check_object(
         height_m=height_m, thickness_m=thickness_m, width_m=width_m, shape=shape, cg_height_m=cg_height_m,
         mass_kg=mass_kg, stiffness_n_m=stiffness_n_m, cushion=cushion, tolerance_g=tolerance_g,
         tolerance_duration_s=tolerance_duration_s, place=place, site=site, return_period_years=return_period_years,
-        pga_g=pga_g, scales=scales, floor=floor, level_ratio=level_ratio, storeys=storeys,
+        fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, pga_g=pga_g, scales=scales, floor=floor, level_ratio=level_ratio, storeys=storeys,
         storey_height_m=storey_height_m, friction=friction, wall_gap_m=wall_gap_m, neighbour_gap_m=neighbour_gap_m,
         wall_height_m=wall_height_m, wall_stiffness_n_m=wall_stiffness_n_m, wall_restitution=wall_restitution,
         casters=casters, rolling_resistance=rolling_resistance, clearance_m=clearance_m,
@@ -429,6 +433,8 @@ def assess(
     place: str | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
+    fault_distance_m: float | None = None,
+    fault_magnitude: float | None = None,
     sheet: str | None = None,
     columns: PathLike | None = None,
     edits: Sequence[str] | None = None,
@@ -463,6 +469,8 @@ def assess(
         A place with the hazard of its code, in place of that of the study, and the class of its site.
     return_period_years : float, optional
         Return period of the hazard [years].
+    fault_distance_m, fault_magnitude : float, optional
+        Distance to the fault of the earthquake [m], and its magnitude: a share of the worlds then has velocity pulses.
     sheet, columns, edits, storeys, strict, library, cushion_library : optional
         As in `check_inventory`.
     assess_anchored : bool, default False
@@ -484,7 +492,8 @@ def assess(
     array(['restrain', 'leave'], dtype=object)
     """
     asked = given(
-        seed=seed, place=place, site=site, return_period_years=return_period_years, sheet=sheet, edit=edits,
+        seed=seed, place=place, site=site, return_period_years=return_period_years,
+        fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, sheet=sheet, edit=edits,
         storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
         format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
         resume=flag("resume", resume),

@@ -3,6 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::near_fault::near_fault_words;
 use freestand_assess::accepted::accepted;
 use freestand_assess::assumed::{self, Open};
 use freestand_input::quantity::UnitSystem;
@@ -465,6 +466,9 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             .two_spectra_words()
             .map(|words| format!("Assumed: {words}.")),
     );
+    assumed.extend(near_fault_words(study).map(|words| {
+        format!("Assumed: {words}; the mean of ln Sa over all worlds is that of the target.")
+    }));
     assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(

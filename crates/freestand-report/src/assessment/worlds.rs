@@ -27,7 +27,7 @@ const DAMPING_RATIO: f64 = 0.05;
 /// Worlds between two writes, each of which may be a stop: a second or two of work.
 const BLOCK: u32 = 64;
 
-const HEADER: [&str; 17] = [
+const HEADER: [&str; 19] = [
     "world",
     "level_ratio",
     "period_s",
@@ -45,6 +45,8 @@ const HEADER: [&str; 17] = [
     "sa_0.5_y_g",
     "sa_1_y_g",
     "sa_2_y_g",
+    "pulse_period_s",
+    "pulse_velocity_m_s",
 ];
 
 /// Writes the file: a row for each world and floor, worlds first. Motions are made on the current
@@ -103,6 +105,11 @@ fn rows<'a>(
         .unwrap_or_default();
     let [along, across] = motions.map(spectrum_g);
     let spectra = [along?, across?].concat();
+    let pulse = worlds.pulse(world)?;
+    let pulse = [
+        pulse.map(|(pulse, _)| pulse.shape.period_s),
+        pulse.map(|(_, amplitude_m_s)| amplitude_m_s),
+    ];
     let floors = worlds.floors_of_world(world, levels, Again::default(), None)?;
     let row = |(level_ratio, floor): (&f64, &FloorOfWorld)| {
         let building = [
@@ -119,7 +126,8 @@ fn rows<'a>(
         ];
         cells.extend(building.map(Cell::number));
         cells.push(record.clone());
-        cells.extend(peaks.chain(spectra.iter().copied()).map(Cell::number));
+        let shaking = peaks.chain(spectra.iter().copied()).chain(pulse);
+        cells.extend(shaking.map(Cell::number));
         cells
     };
     Ok(levels.iter().zip(&floors).map(row).collect())

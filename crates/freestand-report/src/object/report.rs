@@ -15,6 +15,7 @@ use freestand_study::target::Target;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
 use crate::assessment::words::too_mild;
+use crate::near_fault::near_fault_words;
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, HULL_FRICTION_RATIO, NamedEarthquake, ObjectRequest,
     ObjectResult, Tally, Unused, middle,
@@ -551,6 +552,7 @@ fn assumptions(
         .assumed_at(item.level_ratio.unwrap_or(0.0), request.units)
         .collect();
     said.extend(study.two_spectra_words());
+    said.extend(near_fault_words(study));
     let is_on_hull = found.model == Some(ObjectModel::Hull);
     said.push(match (object.cg_height_m, object.width_m) {
         (None, _) if is_on_hull => "centre of gravity at half the height".to_owned(),

@@ -54,6 +54,7 @@ pub(super) fn study() -> Study {
         assumed: Vec::new(),
         toml: "[ground]\ncity = \"Melbourne\"\n".into(),
         ground: Ground::Synthetic(SyntheticGround {
+            near_fault: None,
             target: Target::resolve(&Words::default(), "".as_ref()).unwrap(),
             count: 10,
             seed: 1,

@@ -3,7 +3,7 @@
 use super::Kind::{self, Name, Number, Quantity};
 use freestand_input::quantity::Dimension;
 
-pub(crate) const TARGET_KEYS: [(&str, Kind); 23] = [
+pub(crate) const TARGET_KEYS: [(&str, Kind); 24] = [
     ("code", Name),
     ("site", Name),
     ("place", Name),
@@ -27,6 +27,7 @@ pub(crate) const TARGET_KEYS: [(&str, Kind); 23] = [
     ("long_period", Quantity(Dimension::Time)),
     ("corner_periods", Quantity(Dimension::Time)),
     ("fault_distance", Quantity(Dimension::Length)),
+    ("fault_magnitude", Number),
 ];
 
 /// The keys among them that belong to a table of the user, which is no code.

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::ground_keys::{SCALES_TO, other, reading_keys, source_line, suite_keys, synthetic_keys};
 use super::{MAX_MOTIONS, Overrides, Resolver, Values, line, or};
 use crate::matched::{MatchMethod, Matched, match_record};
+use crate::near_fault::{near_fault, spectrum_words};
 use crate::options::{GroundOptions, VerticalOption};
 use crate::study::{
     BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround,
@@ -13,7 +14,7 @@ use crate::study::{
 };
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
-use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
 
@@ -243,7 +244,14 @@ impl Resolver<'_> {
                 format!("give count as {expected}"),
             );
         }
-        let target = self.target(written)?;
+        let of_spectrum = GroundOptions {
+            target: spectrum_words(&written.target),
+            ..written.clone()
+        };
+        let target = self.target(&of_spectrum)?;
+        let fault = near_fault(&written.target, Some(&target));
+        let fault = fault.map_err(|problems| self.spectrum_faults(written, problems));
+        let near_fault = fault.ok()?;
         let vertical = self.vertical_target(written, &target);
         self.warnings.extend(target.warnings.iter().cloned());
         // A larger count was refused above; the names of its motions are still listed.
@@ -253,6 +261,7 @@ impl Resolver<'_> {
             count,
             seed: overrides.seed.unwrap_or(or(&written.seed, DEFAULT_SEED)),
             vertical,
+            near_fault,
         }))
     }
 
@@ -322,28 +331,33 @@ impl Resolver<'_> {
         match resolved {
             Ok(target) => Some(target),
             Err(problems) => {
-                for problem in problems {
-                    // A key that was refused when it was read is missing here, and was noted there.
-                    if written.is_incomplete && problem.kind == ProblemKind::Missing {
-                        continue;
-                    }
-                    // What a flag put in place of the study's is on no line of it.
-                    let is_flag = |(key, line): (&'static str, Option<usize>)| {
-                        line.is_none() && problem.is_about(key)
-                    };
-                    if written.target.lines().any(is_flag) {
-                        let hint = problem
-                            .hint
-                            .as_deref()
-                            .map(|hint| KeyStyle::File.shown(hint));
-                        self.problems.push(Problem { hint, ..problem });
-                        continue;
-                    }
-                    let line = written.target.line_of(&problem.keys).or(written.line);
-                    self.fault(line, "spectrum", problem);
-                }
+                self.spectrum_faults(written, problems);
                 None
             }
+        }
+    }
+
+    /// Notes what is wrong with the keys of the spectrum and of its fault, each on its line.
+    fn spectrum_faults(&mut self, written: &GroundOptions, problems: Problems) {
+        for problem in problems {
+            // A key that was refused when it was read is missing here, and was noted there.
+            if written.is_incomplete && problem.kind == ProblemKind::Missing {
+                continue;
+            }
+            // What a flag put in place of the study's is on no line of it.
+            let is_flag = |(key, line): (&'static str, Option<usize>)| {
+                line.is_none() && problem.is_about(key)
+            };
+            if written.target.lines().any(is_flag) {
+                let hint = problem
+                    .hint
+                    .as_deref()
+                    .map(|hint| KeyStyle::File.shown(hint));
+                self.problems.push(Problem { hint, ..problem });
+                continue;
+            }
+            let line = written.target.line_of(&problem.keys).or(written.line);
+            self.fault(line, "spectrum", problem);
         }
     }
 }

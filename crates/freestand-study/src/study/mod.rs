@@ -8,6 +8,7 @@ use std::sync::Arc;
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{Accuracy, Restitution};
+use freestand::worlds::NearFault;
 
 pub use crate::building::BuildingInput;
 use crate::cushion::EdgeCushion;
@@ -351,6 +352,8 @@ pub struct SyntheticGround {
     pub seed: u64,
     /// The target of the vertical motions.
     pub vertical: VerticalTarget,
+    /// The fault of the earthquake, if one is known: its pulses are in the worlds.
+    pub near_fault: Option<NearFault>,
 }
 
 /// The target of vertical motions that are made with synthetic ones.

@@ -366,7 +366,7 @@ fn the_lists_of_words_agree() {
         .iter()
         .flat_map(|(_, code)| code.keys())
         .copied()
-        .chain(["code"])
+        .chain(["code", "fault_magnitude"])
         .collect();
     of_codes.sort_unstable();
     of_codes.dedup();

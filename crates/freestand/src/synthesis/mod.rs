@@ -48,6 +48,7 @@ mod matching;
 mod noise;
 mod pairs;
 mod point_source;
+mod pulse;
 mod simulation;
 mod site_amplification;
 mod transform;
@@ -60,6 +61,7 @@ pub use point_source::{
     Corners, HighCut, PathDuration, PointSource, Preset, Quality, SOUTH_EAST_AUSTRALIA_FARTHEST_M,
     SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum, SpreadingPiece,
 };
+pub use pulse::{VelocityPulse, with_pulse};
 pub use simulation::{SimulationOptions, Simulator};
 pub use site_amplification::{ProfileError, ShearWaveProfile, VelocityPiece, density_kg_m3};
 

@@ -88,6 +88,10 @@ pub struct Deviation {
 }
 
 impl Deviation {
+    pub(super) fn new(ln_ratios: Vec<f64>) -> Self {
+        Self { ln_ratios }
+    }
+
     /// The values at [`matched_periods_s`].
     pub fn ln_ratios(&self) -> &[f64] {
         &self.ln_ratios

@@ -7,6 +7,7 @@
 mod building;
 mod correlation;
 mod ground;
+mod pulse;
 mod restitution;
 mod streams;
 mod wall;
@@ -14,6 +15,11 @@ mod wall;
 pub use building::{BuildingDraw, BuildingSpread, is_first_side_along_x};
 pub use correlation::spectral_correlation_ratio;
 pub use ground::{Component, Deviation, GroundSpread, SpreadOptions, WorldSpectra, world_motion};
+pub use pulse::{
+    ACCEPTED_FAULT_MAGNITUDES, FARTHEST_PULSE_M, FAULT_MAGNITUDES, MOST_FAULT_DISTANCE_M,
+    NearFault, Pulses, WorldPulse, pulse_amplification_ratio, pulse_period_s, pulse_probability,
+    rupture_length_km,
+};
 pub use restitution::{RESTITUTION_SPREAD, restitution_at, restitution_draw};
 pub use streams::{Group, WORLD_GENERATOR, object_stream, place_among, world_stream};
 pub use wall::{

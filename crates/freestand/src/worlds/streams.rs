@@ -33,6 +33,8 @@ pub enum Group {
     Wall,
     /// The friction under it.
     Friction,
+    /// The velocity pulse of the ground motion.
+    Pulse,
 }
 
 impl Group {
@@ -48,6 +50,7 @@ impl Group {
             Self::Model => 7,
             Self::Wall => 8,
             Self::Friction => 9,
+            Self::Pulse => 10,
         }
     }
 }

@@ -4,6 +4,7 @@ mod around;
 mod assess;
 mod doubt;
 mod one_object;
+mod pulses;
 mod shards;
 mod space;
 mod worlds;

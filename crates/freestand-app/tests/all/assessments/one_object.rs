@@ -582,7 +582,10 @@ fn the_longest_answer() {
     );
     let report = answer(&request(
         object,
-        Earthquake::GroundAcceleration(0.4 * freestand::G0_M_S2),
+        Earthquake::GroundAcceleration {
+            peak_m_s2: 0.4 * freestand::G0_M_S2,
+            near_fault: None,
+        },
         floor,
     ));
     assert!(
