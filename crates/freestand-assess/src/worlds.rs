@@ -9,7 +9,7 @@ use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
 use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
-use freestand::synthesis::SynthesisOptions;
+use freestand::synthesis::{QuickMatcher, SynthesisOptions};
 use freestand::worlds::{
     BuildingDraw, BuildingSpread, Component, GroundSpread, Group, SpreadOptions, place_among,
     world_motion, world_stream,
@@ -105,7 +105,7 @@ type Kept = HashMap<(u32, u32), Arc<GroundOfWorld>>;
 #[derive(Clone)]
 enum Source<'a> {
     /// Each world has a motion of its own, for a spectrum that deviates from the target.
-    Synthetic(&'a SyntheticGround),
+    Synthetic(&'a SyntheticGround, Arc<QuickMatcher>),
     /// The worlds use these motions in turn.
     InTurn(Arc<[(String, HorizontalMotion, Option<Motion>)]>),
     /// The worlds use the motions of the floors in turn.
@@ -226,7 +226,10 @@ impl<'a> Worlds<'a> {
         go_on: impl Fn() -> Result<(), Problems> + Sync,
     ) -> Result<Self, Problems> {
         let source = match &study.ground {
-            Ground::Synthetic(synthetic) => Source::Synthetic(synthetic),
+            Ground::Synthetic(synthetic) => {
+                let matcher = QuickMatcher::new(&SynthesisOptions::default());
+                Source::Synthetic(synthetic, Arc::new(matcher.map_err(failed("a motion"))?))
+            }
             Ground::OnFloors => {
                 if let Some(level) = study
                     .levels
@@ -294,7 +297,7 @@ impl<'a> Worlds<'a> {
 
     /// The same worlds, with the motions that are remembered of earlier requests.
     pub fn remembering(mut self, memory: &Memory) -> Self {
-        if !matches!(self.source, Source::Synthetic(_)) {
+        if !matches!(self.source, Source::Synthetic(..)) {
             return self;
         }
         let mut all = memory.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -349,7 +352,7 @@ impl<'a> Worlds<'a> {
     /// The motions that the worlds use in turn; `None`: each world has its own.
     pub fn records(&self) -> Option<u32> {
         let count = match &self.source {
-            Source::Synthetic(_) => return None,
+            Source::Synthetic(..) => return None,
             Source::InTurn(motions) => motions.len(),
             Source::OnFloors { names } => names.len(),
         };
@@ -380,7 +383,7 @@ impl<'a> Worlds<'a> {
                 .map_or_else(String::new, |name| format!("{name} (world {world})"))
         };
         match &self.source {
-            Source::Synthetic(_) => format!("world {world}"),
+            Source::Synthetic(..) => format!("world {world}"),
             Source::InTurn(motions) => of(&mut motions.iter().map(|(name, ..)| name)),
             Source::OnFloors { names } => of(&mut names.iter()),
         }
@@ -432,8 +435,8 @@ impl<'a> Worlds<'a> {
                     record: Some(name.clone()),
                 }
             }
-            Source::Synthetic(synthetic) => {
-                let make = || self.synthetic(synthetic, world, again);
+            Source::Synthetic(synthetic, matcher) => {
+                let make = || self.synthetic(synthetic, matcher, world, again);
                 let (motion, vertical) = match &self.on_disk {
                     Some(folder) => folder.motion((world, again), make)?,
                     None => make()?,
@@ -457,11 +460,11 @@ impl<'a> Worlds<'a> {
     fn synthetic(
         &self,
         ground: &SyntheticGround,
+        matcher: &QuickMatcher,
         world: u32,
         again: u32,
     ) -> Result<(HorizontalMotion, Option<Motion>), Problems> {
         let spectra = self.spread.spectra(ground.seed, world, again);
-        let options = SynthesisOptions::default();
         let WorldSettings {
             components,
             component_ratio,
@@ -473,14 +476,8 @@ impl<'a> Worlds<'a> {
                 Component::Y => component_ratio * ground.target.spectrum.sa_g(t),
                 Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
             };
-            let made = world_motion(
-                target,
-                &spectra,
-                component,
-                (ground.seed, world, again),
-                &options,
-            );
-            made.map(|made| made.motion).map_err(failed("a motion"))
+            let draw = (ground.seed, world, again);
+            world_motion(target, &spectra, component, draw, matcher).map_err(failed("a motion"))
         };
         let across = match components {
             1 => None,
@@ -547,7 +544,7 @@ impl<'a> Worlds<'a> {
                 Some(motions.len())
             }
             Source::OnFloors { names } => Some(names.len()),
-            Source::InTurn(_) | Source::Synthetic(_) => None,
+            Source::InTurn(_) | Source::Synthetic(..) => None,
         };
         let shaking = |world: u32| match in_turn {
             Some(motions) => self.in_turn(world, again.motion, motions) as u32,

@@ -25,7 +25,7 @@ const PART: usize = 16;
 
 /// Version of the text that is hashed. Raise it whenever that text, the content of a part or the
 /// choice of scales changes.
-const FORMAT: u32 = 6;
+const FORMAT: u32 = 7;
 
 /// The runs of one object.
 #[derive(Debug, Serialize, Deserialize)]
