@@ -13,7 +13,7 @@ use freestand_records::horizontal::HorizontalMotion;
 use sha2::{Digest, Sha256};
 
 /// The first bytes of every file.
-const BEGINNING: &[u8; 8] = b"fs-mot-1";
+const BEGINNING: &[u8; 8] = b"fs-mot-2";
 
 /// Bytes of a SHA-256.
 const HASH_BYTES: usize = 32;

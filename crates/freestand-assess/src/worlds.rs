@@ -9,7 +9,7 @@ use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
 use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
-use freestand::synthesis::{SynthesisOptions, with_pulse};
+use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{
     BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions,
     WorldPulse, WorldSpectra, place_among, world_motion, world_stream,
@@ -107,7 +107,7 @@ type Kept = HashMap<(u32, u32), Arc<GroundOfWorld>>;
 #[derive(Clone)]
 enum Source<'a> {
     /// Each world has a motion of its own, for a spectrum that deviates from the target.
-    Synthetic(&'a SyntheticGround),
+    Synthetic(&'a SyntheticGround, Arc<QuickMatcher>),
     /// The worlds use these motions in turn.
     InTurn(Arc<[(String, HorizontalMotion, Option<Motion>)]>),
     /// The worlds use the motions of the floors in turn.
@@ -228,7 +228,10 @@ impl<'a> Worlds<'a> {
         go_on: impl Fn() -> Result<(), Problems> + Sync,
     ) -> Result<Self, Problems> {
         let source = match &study.ground {
-            Ground::Synthetic(synthetic) => Source::Synthetic(synthetic),
+            Ground::Synthetic(synthetic) => {
+                let matcher = QuickMatcher::new(&SynthesisOptions::default());
+                Source::Synthetic(synthetic, Arc::new(matcher.map_err(failed("a motion"))?))
+            }
             Ground::OnFloors => {
                 if let Some(level) = study
                     .levels
@@ -306,7 +309,7 @@ impl<'a> Worlds<'a> {
 
     /// The same worlds, with the motions that are remembered of earlier requests.
     pub fn remembering(mut self, memory: &Memory) -> Self {
-        if !matches!(self.source, Source::Synthetic(_)) {
+        if !matches!(self.source, Source::Synthetic(..)) {
             return self;
         }
         let mut all = memory.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -361,7 +364,7 @@ impl<'a> Worlds<'a> {
     /// The motions that the worlds use in turn; `None`: each world has its own.
     pub fn records(&self) -> Option<u32> {
         let count = match &self.source {
-            Source::Synthetic(_) => return None,
+            Source::Synthetic(..) => return None,
             Source::InTurn(motions) => motions.len(),
             Source::OnFloors { names } => names.len(),
         };
@@ -392,7 +395,7 @@ impl<'a> Worlds<'a> {
                 .map_or_else(String::new, |name| format!("{name} (world {world})"))
         };
         match &self.source {
-            Source::Synthetic(_) => format!("world {world}"),
+            Source::Synthetic(..) => format!("world {world}"),
             Source::InTurn(motions) => of(&mut motions.iter().map(|(name, ..)| name)),
             Source::OnFloors { names } => of(&mut names.iter()),
         }
@@ -445,8 +448,8 @@ impl<'a> Worlds<'a> {
                     record: Some(name.clone()),
                 }
             }
-            Source::Synthetic(synthetic) => {
-                let make = || self.synthetic(synthetic, world, again);
+            Source::Synthetic(synthetic, matcher) => {
+                let make = || self.synthetic(synthetic, matcher, world, again);
                 let (motion, vertical) = match &self.on_disk {
                     Some(folder) => folder.motion((world, again), make)?,
                     None => make()?,
@@ -478,7 +481,7 @@ impl<'a> Worlds<'a> {
     /// # Errors
     /// A spectrum that cannot be calculated.
     pub fn pulse(&self, world: u32) -> Result<Option<(WorldPulse, f64)>, Problems> {
-        let Source::Synthetic(ground) = &self.source else {
+        let Source::Synthetic(ground, _) = &self.source else {
             return Ok(None);
         };
         let spectra = self.spread.spectra(ground.seed, world, 0);
@@ -518,11 +521,11 @@ impl<'a> Worlds<'a> {
     fn synthetic(
         &self,
         ground: &SyntheticGround,
+        matcher: &QuickMatcher,
         world: u32,
         again: u32,
     ) -> Result<(HorizontalMotion, Option<Motion>), Problems> {
         let spectra = self.spread.spectra(ground.seed, world, again);
-        let options = SynthesisOptions::default();
         let WorldSettings {
             components,
             component_ratio,
@@ -536,20 +539,15 @@ impl<'a> Worlds<'a> {
                 Component::Y => component_ratio * horizontal(t),
                 Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
             };
-            let made = world_motion(
-                target,
-                &spectra,
-                component,
-                (ground.seed, world, again),
-                &options,
-            );
-            let made = made.map_err(failed("a motion"))?.motion;
+            let draw = (ground.seed, world, again);
+            let made = world_motion(target, &spectra, component, draw, matcher)
+                .map_err(failed("a motion"))?;
             let Some((pulse, amplitude_m_s)) = pulse.filter(|_| component != Component::Vertical)
             else {
                 return Ok(made);
             };
             let amplitude_m_s = amplitude_m_s * pulse.part(component);
-            with_pulse(&made, &pulse.shape, amplitude_m_s, &options)
+            with_pulse(&made, &pulse.shape, amplitude_m_s, matcher.options())
                 .map_err(failed("a velocity pulse"))
         };
         let across = match components {
@@ -617,7 +615,7 @@ impl<'a> Worlds<'a> {
                 Some(motions.len())
             }
             Source::OnFloors { names } => Some(names.len()),
-            Source::InTurn(_) | Source::Synthetic(_) => None,
+            Source::InTurn(_) | Source::Synthetic(..) => None,
         };
         let shaking = |world: u32| match in_turn {
             Some(motions) => self.in_turn(world, again.motion, motions) as u32,

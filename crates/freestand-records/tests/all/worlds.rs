@@ -14,7 +14,7 @@ use freestand::building::{Building, Damping, Storey, floor_motion};
 use freestand::measures::measures;
 use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock_many};
-use freestand::synthesis::SynthesisOptions;
+use freestand::synthesis::{QuickMatcher, SynthesisOptions};
 use freestand::worlds::{
     Component, GroundSpread, Group, SpreadOptions, place_among, world_motion, world_stream,
 };
@@ -121,14 +121,13 @@ fn how_often_blocks_fall_in_worlds_and_under_records() {
     let Some(pairs) = pairs() else { return };
     let (blocks, building) = (blocks(), five_storeys());
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let synthesis = SynthesisOptions::default();
+    let matcher = QuickMatcher::new(&SynthesisOptions::default()).unwrap();
     let worlds: Vec<Falls> = (0..WORLDS)
         .into_par_iter()
         .map(|world| {
             let spectra = spread.spectra(1, world, 0);
             let pair = [Component::X, Component::Y].map(|component| {
-                let made = world_motion(code, &spectra, component, (1, world, 0), &synthesis);
-                made.unwrap().motion
+                world_motion(code, &spectra, component, (1, world, 0), &matcher).unwrap()
             });
             falls(&pair, 1.0, &blocks, &building)
         })

@@ -7,6 +7,8 @@ use std::f64::consts::PI;
 pub(super) struct Frame {
     pub(super) taper: Vec<f64>,
     bell: Vec<f64>,
+    /// Σ bell·tⁿ for n = 0, 1, 2.
+    moments: [f64; 3],
     /// The middle of the shaking, in samples.
     centre: f64,
 }
@@ -39,14 +41,20 @@ impl Frame {
                 0.0
             }
         };
-        let (taper, bell) = (
-            (0..samples).map(taper).collect(),
-            (0..samples).map(bell).collect(),
-        );
+        let centre = 0.5 * (start + end) as f64;
+        let bell: Vec<f64> = (0..samples).map(bell).collect();
+        let mut moments = [0.0; 3];
+        for (k, bell) in bell.iter().enumerate() {
+            let t = k as f64 - centre;
+            moments[0] += bell;
+            moments[1] += bell * t;
+            moments[2] += bell * t * t;
+        }
         Self {
-            taper,
+            taper: (0..samples).map(taper).collect(),
             bell,
-            centre: 0.5 * (start + end) as f64,
+            moments,
+            centre,
         }
     }
 
@@ -56,15 +64,12 @@ impl Frame {
     /// matched range.
     pub(super) fn remove_drift(&self, accel: &mut [f64]) {
         let time = |k: usize| k as f64 - self.centre;
-        let (mut sum, mut moment, mut bell0, mut bell1, mut bell2) = (0.0, 0.0, 0.0, 0.0, 0.0);
-        for (k, (a, bell)) in accel.iter().zip(&self.bell).enumerate() {
-            let t = time(k);
+        let (mut sum, mut moment) = (0.0, 0.0);
+        for (k, a) in accel.iter().enumerate() {
             sum += a;
-            moment += a * t;
-            bell0 += bell;
-            bell1 += bell * t;
-            bell2 += bell * t * t;
+            moment += a * time(k);
         }
+        let [bell0, bell1, bell2] = self.moments;
         let determinant = bell0 * bell2 - bell1 * bell1;
         let c0 = (sum * bell2 - moment * bell1) / determinant;
         let c1 = (moment * bell0 - sum * bell1) / determinant;

@@ -1,6 +1,7 @@
 //! Passes in the frequency domain that match a motion to a target spectrum.
 
 use super::frame::Frame;
+use super::quick::PLAIN_PASSES;
 use super::transform::Transform;
 use super::wavelet::Kernel;
 use super::{
@@ -12,6 +13,7 @@ use crate::measures::measures;
 use crate::motion::Motion;
 use crate::oscillator::DisplacementBank;
 use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 
 /// Each pass multiplies amplitudes below this by f/f₀ \[Hz\]. Without it the passes amplify periods
 /// beyond the longest matched one, which no oscillator controls: the displacement grows threefold
@@ -37,44 +39,76 @@ pub(super) enum Gain {
     Wavelets(Kernel),
 }
 
-/// Everything that the passes share for one target and one length of motion.
-pub(super) struct Matcher {
+/// What all motions of one length and time step share, prepared once.
+pub(super) struct Layout {
     dt_s: f64,
-    frame: Frame,
+    pub(super) frame: Frame,
     periods_s: Vec<f64>,
-    target_m_s2: Vec<f64>,
-    target_zpa_g: f64,
     bank: DisplacementBank,
     /// Steps of the oscillators for each step of the motion.
     substeps: usize,
-    fine: Vec<f64>,
     transform: Transform,
-    /// The frequencies of its bins.
+    /// The frequencies of the transform, from its first bin to the middle one.
     bins: Vec<Bin>,
-    gain: Gain,
 }
 
-impl Matcher {
-    pub(super) fn new(
-        target_sa_g: &impl Fn(f64) -> f64,
-        dt_s: f64,
-        frame: Frame,
-        gain: Gain,
-    ) -> Result<Self, SynthesisError> {
-        let target = |period_s: f64| match target_sa_g(period_s) {
-            sa_g if sa_g > 0.0 && sa_g.is_finite() => Ok(sa_g),
-            sa_g => Err(SynthesisError::Target { period_s, sa_g }),
-        };
-        let periods_s = matched_periods_s();
+impl Layout {
+    /// The same with oscillators that are quick.
+    pub(super) fn quick(self) -> Result<Self, SynthesisError> {
+        let step_s = self.dt_s / self.substeps as f64;
+        Ok(Self {
+            bank: DisplacementBank::quick(&self.periods_s, DAMPING_RATIO, step_s)?,
+            ..self
+        })
+    }
+}
+
+/// The motion that fits best so far.
+struct Best {
+    accel: Vec<f64>,
+    ln_ratios: Vec<f64>,
+    rms: f64,
+}
+
+impl Default for Best {
+    fn default() -> Self {
+        Self {
+            accel: Vec::new(),
+            ln_ratios: Vec::new(),
+            rms: f64::INFINITY,
+        }
+    }
+}
+
+impl Best {
+    /// Keeps a motion that fits better, and says whether it does.
+    fn consider(&mut self, accel: &[f64], ln_ratios: &[f64]) -> bool {
+        let rms = rms_misfit(ln_ratios);
+        let is_better = rms < self.rms * (1.0 - BETTER_BY_RATIO);
+        if is_better {
+            accel.clone_into(&mut self.accel);
+            ln_ratios.clone_into(&mut self.ln_ratios);
+            self.rms = rms;
+        }
+        is_better
+    }
+}
+
+/// A frequency of the transform.
+#[derive(Clone, Copy)]
+struct Bin {
+    frequency_hz: f64,
+    place: Place,
+}
+
+impl Layout {
+    pub(super) fn new(dt_s: f64, frame: Frame) -> Result<Self, SynthesisError> {
         // A step of 0.005 s except for its last digits counts as 0.005 s.
         let substeps = (dt_s / LONGEST_STEP_S - 1e-9).ceil().max(1.0);
         let points = substeps * frame.taper.len() as f64;
         let steps = Parameter::Other("the number of samples at steps of 0.005 s");
         steps.check(points <= MAX_POINTS, "at most 16777216", points)?;
-        let target_m_s2 = periods_s
-            .iter()
-            .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
-            .collect::<Result<_, _>>()?;
+        let periods_s = matched_periods_s();
         let transform = Transform::new(frame.taper.len());
         let step_hz = transform.step_hz(dt_s);
         let bin = |k: usize| {
@@ -86,16 +120,48 @@ impl Matcher {
         };
         Ok(Self {
             dt_s,
-            target_zpa_g: target(0.0)?,
             bank: DisplacementBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
             substeps: substeps as usize,
-            fine: Vec::new(),
-            periods_s,
-            target_m_s2,
             bins: (0..=transform.length() / 2).map(bin).collect(),
+            periods_s,
             transform,
             frame,
+        })
+    }
+}
+
+/// The passes of one motion.
+pub(super) struct Matcher<'a> {
+    layout: &'a Layout,
+    gain: Gain,
+    pub(super) target_m_s2: Vec<f64>,
+    target_zpa_g: f64,
+    transform: Transform,
+    fine: Vec<f64>,
+}
+
+impl<'a> Matcher<'a> {
+    pub(super) fn new(
+        layout: &'a Layout,
+        target_sa_g: &impl Fn(f64) -> f64,
+        gain: Gain,
+    ) -> Result<Self, SynthesisError> {
+        let target = |period_s: f64| match target_sa_g(period_s) {
+            sa_g if sa_g > 0.0 && sa_g.is_finite() => Ok(sa_g),
+            sa_g => Err(SynthesisError::Target { period_s, sa_g }),
+        };
+        let target_m_s2 = layout
+            .periods_s
+            .iter()
+            .map(|&t| target(t).map(|sa_g| sa_g * G0_M_S2))
+            .collect::<Result<_, _>>()?;
+        Ok(Self {
+            layout,
             gain,
+            target_m_s2,
+            target_zpa_g: target(0.0)?,
+            transform: layout.transform.clone(),
+            fine: Vec::new(),
         })
     }
 
@@ -118,37 +184,70 @@ impl Matcher {
         );
     }
 
+    /// Passes with momentum, then the factor that takes the mean of ln PSA/target over the periods of
+    /// `over_s` to 0. A pass (s, m) changes the logarithms of the amplitudes by −s ln PSA/target and m
+    /// times the change before.
+    pub(super) fn follow(
+        &mut self,
+        mut accel: Vec<f64>,
+        passes: &[(f64, f64)],
+        over_s: &RangeInclusive<f64>,
+    ) -> Result<Motion, SynthesisError> {
+        let mut best = Best::default();
+        let mut ln_gains = vec![0.0; MATCHED_PERIODS];
+        for (step, momentum) in passes {
+            let ln_ratios = self.ln_ratios(&accel);
+            for (ln_gain, ln_ratio) in ln_gains.iter_mut().zip(&ln_ratios) {
+                *ln_gain = momentum * *ln_gain - step * ln_ratio;
+            }
+            best.consider(&accel, &ln_ratios);
+            let gains: Vec<f64> = ln_gains.iter().map(|ln| ln.exp()).collect();
+            self.filter(&mut accel, |bin| {
+                let cut = (bin.frequency_hz / LOW_CUT_HZ).min(1.0);
+                bin.place.interpolate(&gains) * cut.powi(PLAIN_PASSES)
+            });
+        }
+        let ln_ratios = self.ln_ratios(&accel);
+        best.consider(&accel, &ln_ratios);
+        let of_mean: Vec<f64> = best
+            .ln_ratios
+            .into_iter()
+            .zip(&self.layout.periods_s)
+            .filter(|(_, period_s)| over_s.contains(period_s))
+            .map(|(ln_ratio, _)| ln_ratio)
+            .collect();
+        let mean = of_mean.iter().sum::<f64>() / of_mean.len() as f64;
+        let accel = best.accel.iter().map(|a| a * (-mean).exp()).collect();
+        Ok(Motion::new(self.layout.dt_s, accel)?)
+    }
+
     pub(super) fn run(
         &mut self,
         mut accel: Vec<f64>,
         passes: usize,
     ) -> Result<MatchedMotion, SynthesisError> {
-        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
+        for (a, taper) in accel.iter_mut().zip(&self.layout.frame.taper) {
             *a *= taper;
         }
-        self.frame.remove_drift(&mut accel);
+        self.layout.frame.remove_drift(&mut accel);
         // One factor first, so that pass 0 is the start at its best scale.
         let mean = self.ln_ratios(&accel).iter().sum::<f64>() / MATCHED_PERIODS as f64;
         if !mean.is_finite() {
             return Err(SynthesisError::NoContent);
         }
         accel.iter_mut().for_each(|a| *a *= (-mean).exp());
-        let (mut best, mut best_rms, mut best_pass, mut best_ln) =
-            (Vec::new(), f64::INFINITY, 0, Vec::new());
+        let (mut best, mut best_pass) = (Best::default(), 0);
         for pass in 0..=passes {
             let ln_ratios = self.ln_ratios(&accel);
-            let rms = rms_misfit(&ln_ratios);
-            if rms < best_rms * (1.0 - BETTER_BY_RATIO) {
-                best.clone_from(&accel);
-                (best_rms, best_pass) = (rms, pass);
-                best_ln.clone_from(&ln_ratios);
+            if best.consider(&accel, &ln_ratios) {
+                best_pass = pass;
             }
             if pass < passes {
                 self.pass(&mut accel, &ln_ratios);
             }
         }
-        let motion = Motion::new(self.dt_s, best)?;
-        let misfit = self.described(&motion, &best_ln);
+        let motion = Motion::new(self.layout.dt_s, best.accel)?;
+        let misfit = self.described(&motion, &best.ln_ratios);
         Ok(MatchedMotion {
             motion,
             misfit,
@@ -176,8 +275,8 @@ impl Matcher {
     }
 
     fn described(&self, motion: &Motion, ln_ratios: &[f64]) -> Misfit {
-        let (mut worst_ratio, mut worst_period_s) = (0.0_f64, self.periods_s[0]);
-        for (ln_ratio, &period_s) in ln_ratios.iter().zip(&self.periods_s) {
+        let (mut worst_ratio, mut worst_period_s) = (0.0_f64, self.layout.periods_s[0]);
+        for (ln_ratio, &period_s) in ln_ratios.iter().zip(&self.layout.periods_s) {
             if ln_ratio.exp_m1().abs() > worst_ratio.abs() {
                 (worst_ratio, worst_period_s) = (ln_ratio.exp_m1(), period_s);
             }
@@ -196,21 +295,27 @@ impl Matcher {
 
     /// ln(PSA/target) at the matched periods, of the motion that is linear between its samples.
     fn ln_ratios(&mut self, accel: &[f64]) -> Vec<f64> {
-        let looked_at = if self.substeps == 1 {
+        let Layout {
+            substeps,
+            bank,
+            periods_s,
+            ..
+        } = self.layout;
+        let looked_at = if *substeps == 1 {
             accel
         } else {
             self.fine.clear();
             for (a, b) in accel.iter().zip(accel.iter().skip(1)) {
-                let at = |step: usize| a + (b - a) * (step as f64 / self.substeps as f64);
-                self.fine.extend((0..self.substeps).map(at));
+                let at = |step: usize| a + (b - a) * (step as f64 / *substeps as f64);
+                self.fine.extend((0..*substeps).map(at));
             }
             self.fine.extend(accel.last());
             &self.fine
         };
-        let sd_m = self.bank.peaks_m(looked_at);
+        let sd_m = bank.peaks_m(looked_at);
         let psa = sd_m
             .iter()
-            .zip(&self.periods_s)
+            .zip(periods_s)
             .map(|(sd, t)| sd * (TAU / t) * (TAU / t));
         psa.zip(&self.target_m_s2)
             .map(|(psa, target)| (psa / target).ln())
@@ -220,21 +325,15 @@ impl Matcher {
     /// Multiplies the Fourier amplitudes by the gain of their bin, drops the mean, tapers the ends
     /// and removes the drift.
     fn filter(&mut self, accel: &mut [f64], gain: impl Fn(Bin) -> f64) {
+        let Layout { frame, bins, .. } = self.layout;
         self.transform.forward(accel);
-        self.transform.multiply(|k| gain(self.bins[k]));
+        self.transform.multiply(|k| gain(bins[k]));
         self.transform.inverse(accel);
-        for (a, taper) in accel.iter_mut().zip(&self.frame.taper) {
+        for (a, taper) in accel.iter_mut().zip(&frame.taper) {
             *a *= taper;
         }
-        self.frame.remove_drift(accel);
+        frame.remove_drift(accel);
     }
-}
-
-/// A bin of the Fourier transform.
-#[derive(Clone, Copy)]
-struct Bin {
-    frequency_hz: f64,
-    place: Place,
 }
 
 /// The position of a frequency among the matched periods: between `index` and the next one, at

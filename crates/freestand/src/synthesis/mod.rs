@@ -49,6 +49,7 @@ mod noise;
 mod pairs;
 mod point_source;
 mod pulse;
+mod quick;
 mod simulation;
 mod site_amplification;
 mod transform;
@@ -69,7 +70,9 @@ use crate::measures::husid;
 use crate::motion::{Motion, MotionError};
 use crate::oscillator::OscillatorError;
 use frame::Frame;
-use matching::{Gain, Matcher};
+pub use quick::QuickMatcher;
+
+use matching::{Gain, Layout, Matcher};
 use noise::noise;
 use thiserror::Error;
 
@@ -263,6 +266,10 @@ impl SynthesisOptions {
         }
         faults
     }
+
+    fn samples(&self, time_s: f64) -> usize {
+        (time_s / self.dt_s).round() as usize
+    }
 }
 
 /// How well a motion fits its target, over [`MATCHED_PERIODS`] periods, and its intensity.
@@ -336,31 +343,47 @@ pub fn synthesize(
 
 fn from_noise(
     target_sa_g: impl Fn(f64) -> f64,
-    mut noise: impl FnMut() -> f64,
+    noise: impl FnMut() -> f64,
     options: &SynthesisOptions,
 ) -> Result<MatchedMotion, SynthesisError> {
-    first(options.faults())?;
-    let samples = |time_s: f64| (time_s / options.dt_s).round() as usize;
-    let (start, shaking, tail) = (
-        samples(options.lead_in_s),
-        samples(options.shaking_s),
-        samples(options.tail_s),
-    );
-    let end = start + shaking;
-    let mut accel = vec![0.0; end + tail + 1];
-    for (k, a) in accel[start..=end].iter_mut().enumerate() {
-        *a = noise() * Window::Lam.at(k as f64 * options.dt_s / options.envelope_s);
-    }
-    let frame = Frame::new(
-        accel.len(),
-        start,
-        end,
-        samples(TAPER_START_S),
-        samples(TAPER_END_S),
-    );
-    let mut matcher = Matcher::new(&target_sa_g, options.dt_s, frame, Gain::AtPeriod)?;
+    let layout = shaking_layout(options)?;
+    let mut matcher = Matcher::new(&layout, &target_sa_g, Gain::AtPeriod)?;
+    let mut accel = windowed(noise, &window(options), options);
     matcher.shape_noise(&mut accel);
     matcher.run(accel, options.passes)
+}
+
+/// The layout of motions that are made from noise.
+fn shaking_layout(options: &SynthesisOptions) -> Result<Layout, SynthesisError> {
+    first(options.faults())?;
+    let start = options.samples(options.lead_in_s);
+    let end = start + options.samples(options.shaking_s);
+    let frame = Frame::new(
+        end + options.samples(options.tail_s) + 1,
+        start,
+        end,
+        options.samples(TAPER_START_S),
+        options.samples(TAPER_END_S),
+    );
+    Layout::new(options.dt_s, frame)
+}
+
+/// The window that shapes the noise while it shakes.
+fn window(options: &SynthesisOptions) -> Vec<f64> {
+    let at = |k: usize| Window::Lam.at(k as f64 * options.dt_s / options.envelope_s);
+    (0..=options.samples(options.shaking_s)).map(at).collect()
+}
+
+/// Noise under a window, between the quiet of the options.
+fn windowed(
+    mut noise: impl FnMut() -> f64,
+    window: &[f64],
+    options: &SynthesisOptions,
+) -> Vec<f64> {
+    let mut accel = vec![0.0; options.samples(options.lead_in_s)];
+    accel.extend(window.iter().map(|at| noise() * at));
+    accel.resize(accel.len() + options.samples(options.tail_s), 0.0);
+    accel
 }
 
 /// The motion `seed` matched to the target PSA `target_sa_g` (period \[s\] to g, 5 % damping) with
@@ -432,7 +455,8 @@ fn match_record(
     }
     let taper = ((n as f64 * RECORD_TAPER_RATIO) as usize).max(1);
     let frame = Frame::new(n, 0, n - 1, taper, taper);
-    let mut matcher = Matcher::new(target_sa_g, seed.dt_s(), frame, gain)?;
+    let layout = Layout::new(seed.dt_s(), frame)?;
+    let mut matcher = Matcher::new(&layout, target_sa_g, gain)?;
     matcher.run(seed.accel_m_s2().to_vec(), passes)
 }
 
@@ -442,13 +466,8 @@ fn match_record(
 /// A target that is not positive and finite.
 pub fn misfit(motion: &Motion, target_sa_g: impl Fn(f64) -> f64) -> Result<Misfit, SynthesisError> {
     let n = motion.accel_m_s2().len();
-    Ok(Matcher::new(
-        &target_sa_g,
-        motion.dt_s(),
-        Frame::new(n, 0, n - 1, 1, 1),
-        Gain::AtPeriod,
-    )?
-    .misfit(motion))
+    let layout = Layout::new(motion.dt_s(), Frame::new(n, 0, n - 1, 1, 1))?;
+    Ok(Matcher::new(&layout, &target_sa_g, Gain::AtPeriod)?.misfit(motion))
 }
 
 /// The motion with its peak acceleration scaled to `pga_g`: every half-cycle above it is scaled

@@ -60,15 +60,24 @@ impl Transform {
 
     /// The bins of `accel`, with zeros appended.
     pub(super) fn forward(&mut self, accel: &[f64]) {
-        let half = self.packed.len();
         self.packed.fill(Complex::default());
         for (packed, two) in self.packed.iter_mut().zip(accel.chunks(2)) {
             *packed = Complex::new(two[0], two.get(1).copied().unwrap_or(0.0));
         }
         self.forward
             .process_with_scratch(&mut self.packed, &mut self.scratch);
-        for (k, (bin, turn)) in self.bins.iter_mut().zip(&*self.turns).enumerate() {
-            let (one, mirrored) = (self.packed[k % half], self.packed[(half - k) % half].conj());
+        // The packed bins are periodic: bin `half` is bin 0.
+        let first = self.packed[0];
+        let ones = self.packed.iter().chain([&first]);
+        let mirrored = [&first].into_iter().chain(self.packed.iter().rev());
+        for (((bin, turn), one), mirrored) in self
+            .bins
+            .iter_mut()
+            .zip(&*self.turns)
+            .zip(ones)
+            .zip(mirrored)
+        {
+            let mirrored = mirrored.conj();
             let (even, i_odd) = ((one + mirrored) * 0.5, (one - mirrored) * 0.5);
             *bin = even - turn * I * i_odd;
         }
@@ -91,10 +100,16 @@ impl Transform {
 
     /// The inverse transform, back to samples.
     pub(super) fn inverse(&mut self, accel: &mut [f64]) {
-        let half = self.packed.len();
-        for (k, packed) in self.packed.iter_mut().enumerate() {
-            let (one, mirrored) = (self.bins[k], self.bins[half - k].conj());
-            let (even, odd) = (one + mirrored, (one - mirrored) * self.turns[k].conj());
+        let mirrored = self.bins.iter().rev();
+        for (((packed, one), mirrored), turn) in self
+            .packed
+            .iter_mut()
+            .zip(&self.bins)
+            .zip(mirrored)
+            .zip(&*self.turns)
+        {
+            let mirrored = mirrored.conj();
+            let (even, odd) = (one + mirrored, (one - mirrored) * turn.conj());
             *packed = even + I * odd;
         }
         self.inverse

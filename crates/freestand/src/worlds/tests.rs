@@ -2,6 +2,7 @@ use rand::RngExt;
 use strum::VariantArray;
 
 use super::*;
+use crate::synthesis::QuickMatcher;
 
 fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
@@ -339,17 +340,22 @@ fn without_spreads_the_target_is_the_spectrum_of_the_code() {
         passes: 2,
         ..Default::default()
     };
-    let x = world_motion(code, &spectra, Component::X, (1, 4, 0), &options).unwrap();
+    let matcher = QuickMatcher::new(&options).unwrap();
+    let motion = |component, repetition| {
+        world_motion(code, &spectra, component, (1, 4, repetition), &matcher).unwrap()
+    };
+    let x = motion(Component::X, 0);
     assert_eq!(
         x,
-        crate::synthesis::synthesize(code, 1, 4, &options).unwrap()
+        crate::synthesis::synthesize(code, 1, 4, &options)
+            .unwrap()
+            .motion
     );
-    let y = world_motion(code, &spectra, Component::Y, (1, 4, 0), &options).unwrap();
-    let again = world_motion(code, &spectra, Component::X, (1, 4, 1), &options).unwrap();
+    let y = motion(Component::Y, 0);
+    let again = motion(Component::X, 1);
     // Independent phases: a correlation of some 1/√(2·10 s·bandwidth), 0.2 at most.
     for other in [&y, &again] {
-        let like =
-            crate::synthesis::Resemblance::between(&x.motion, &other.motion).correlation_ratio;
+        let like = crate::synthesis::Resemblance::between(&x, other).correlation_ratio;
         assert!(like.abs() < 0.3, "{like}");
     }
 }
@@ -489,9 +495,9 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
         .map(|i| 0.2 * 15_f64.powf(f64::from(i) / 29.0))
         .collect();
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let (building, options) = (
+    let (building, matcher) = (
         five_storeys(),
-        crate::synthesis::SynthesisOptions::default(),
+        QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap(),
     );
     let worlds: Vec<_> = (0..160_u32)
         .into_par_iter()
@@ -503,9 +509,9 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                 .with_factors(drawn.period_factor, drawn.damping_factor)
                 .unwrap();
             [Component::X, Component::Y].map(|component| {
-                let matched =
-                    world_motion(code, &spectra, component, (1, world, 0), &options).unwrap();
-                let psa = response_spectrum(&matched.motion, 0.05, &periods_s)
+                let motion =
+                    world_motion(code, &spectra, component, (1, world, 0), &matcher).unwrap();
+                let psa = response_spectrum(&motion, 0.05, &periods_s)
                     .unwrap()
                     .psa_m_s2;
                 let ln: Vec<f64> = psa
@@ -514,7 +520,7 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                     .map(|(sa, t)| (sa / crate::G0_M_S2 / code(*t)).ln())
                     .collect();
                 let roof = |building| {
-                    floor_motion(&matched.motion, building, 1.0)
+                    floor_motion(&motion, building, 1.0)
                         .unwrap()
                         .peak_m_s2()
                         .ln()
@@ -530,7 +536,7 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                     missed,
                     roof(&building),
                     roof(&other),
-                    matched.motion.peak_m_s2().ln(),
+                    motion.peak_m_s2().ln(),
                 )
             })
         })
@@ -645,7 +651,7 @@ fn extreme_spectra_are_drawn_again() {
 /// The peaks of motions for a design ground acceleration of 0.5 g (EN 1998-1 type 1, ground B), as `--pga 0.5g`
 /// asks for them.
 #[test]
-#[ignore = "half a minute: 2 × 400 motions are matched; run it after a change of the spectra"]
+#[ignore = "seconds: 2 × 400 motions are matched; run it after a change of the spectra"]
 fn the_median_peak_of_the_motions_is_that_of_the_target() {
     use crate::code_spectrum::{Eurocode8, GroundType, SpectrumType};
     use rayon::prelude::*;
@@ -653,12 +659,12 @@ fn the_median_peak_of_the_motions_is_that_of_the_target() {
     // a_g S is the design ground acceleration; S = 1.2.
     let code = Eurocode8::new(SpectrumType::Type1, GroundType::B, 0.5 / 1.2, 1.0).unwrap();
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let options = crate::synthesis::SynthesisOptions::default();
+    let matcher = QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap();
     let peaks = |spectra: &WorldSpectra, world| {
         [Component::X, Component::Y].map(|component| {
             let key = (1, world, 0);
-            let made = world_motion(|t| code.sa_g(t), spectra, component, key, &options).unwrap();
-            made.motion.peak_m_s2() / crate::G0_M_S2
+            let made = world_motion(|t| code.sa_g(t), spectra, component, key, &matcher).unwrap();
+            made.peak_m_s2() / crate::G0_M_S2
         })
     };
     let both: Vec<[[f64; 2]; 2]> = (0..WORLDS)
@@ -700,15 +706,14 @@ fn the_spread_of_restitution_hardly_changes_how_often_objects_overturn() {
     use crate::rocking::{Base, Outcome, Restitution, RockingOptions, Until, rock};
     use rayon::prelude::*;
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
-    let synthesis = crate::synthesis::SynthesisOptions::default();
+    let matcher = QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap();
     let worlds = 300_u32;
     let motions: Vec<_> = (0..worlds)
         .into_par_iter()
         .map(|world| {
             let spectra = spread.spectra(2, world, 0);
-            let ground = world_motion(code, &spectra, Component::X, (2, world, 0), &synthesis)
-                .unwrap()
-                .motion;
+            let ground =
+                world_motion(code, &spectra, Component::X, (2, world, 0), &matcher).unwrap();
             let drawn = BuildingSpread::default().draw(2, world, 0);
             let building = five_storeys()
                 .with_factors(drawn.period_factor, drawn.damping_factor)
