@@ -6,7 +6,7 @@ use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::notes::grouped;
-use freestand_study::places::{Confidence, Place, near};
+use freestand_study::places::{Confidence, Place};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
 use freestand_study::study::assessment::{Settings, Spread};
@@ -137,8 +137,6 @@ fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
 /// # Errors
 /// All of it, under its own keys and without the keys of a study.
 pub fn check_place(hazard: &Words) -> Result<(), Problems> {
-    let elsewhere =
-        "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();
     let earthquake = |problem: Problem| {
         if problem.is_about("return_period_years")
@@ -146,11 +144,7 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
         {
             return problem.hint("leave it out: this code has one intensity for each place");
         }
-        if problem.is_about("place") && near(name).is_empty() {
-            problem.hint(elsewhere)
-        } else {
-            problem
-        }
+        problem
     };
     let checked = Target::resolve_place(hazard).map(|_| ());
     checked.map_err(|problems| problems.into_iter().map(earthquake).collect())
@@ -208,9 +202,9 @@ fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
         .site_name()
         .filter(|_| names_site || !is_eurocode8);
     let site = site.map(|site| format!("{noun} {site}"));
-    match target.place {
+    match &target.place {
         Some(place) => NamedEarthquake::Place {
-            name: place.name.to_owned(),
+            name: place.name.to_string(),
             code: place.hazard.code_title().to_owned(),
             years,
             site,
