@@ -147,8 +147,7 @@ fn told(why: &NotFound, text: &str) -> Problem {
         NotFound::Far(_) | NotFound::NoCoordinates => shorten(text).to_string(),
         _ => format!("\"{}\"", shorten(text)),
     };
-    why.problem(
-        &shown,
-        "give its coordinates, such as \"41.01, 28.97\"; freestand place list shows all places",
-    )
+    let bring =
+        "commands take a peak acceleration (`pga`), a code or a spectrum in place of a place";
+    why.problem(&shown, bring)
 }

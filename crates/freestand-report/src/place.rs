@@ -1,7 +1,7 @@
 //! Places.
 
 use freestand_input::words::{counted, number};
-use freestand_study::places::{Confidence, Place};
+use freestand_study::places::{Confidence, Place, PlaceHazard};
 
 use crate::table::{pairs, table};
 
@@ -55,8 +55,8 @@ pub fn place_text(place: &Place) -> String {
         ("confidence", place.confidence.name().to_owned()),
     ];
     if let Some(km) = place.distance_km {
-        let to = match place.confidence {
-            Confidence::Interpolated => "to the nearest node",
+        let to = match place.hazard {
+            PlaceHazard::Ntc2018 { .. } => "to the nearest node",
             _ => "from these coordinates",
         };
         rows.push(("distance", format!("{} km {to}", number(km, 3))));

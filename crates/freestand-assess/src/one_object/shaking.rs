@@ -6,7 +6,7 @@ use freestand::decision::Looks;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::notes::grouped;
-use freestand_study::places::{Confidence, Place};
+use freestand_study::places::{Confidence, Place, PlaceHazard};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
 use freestand_study::study::assessment::{Settings, Spread};
@@ -195,18 +195,28 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
 
 fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
     let years = target.spectrum.return_period_years();
-    let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
-    let noun = if is_eurocode8 { "ground" } else { "site" };
+    let has_ground_types = matches!(
+        target.spectrum,
+        CodeSpectrum::Eurocode8(_) | CodeSpectrum::Ntc2018(_)
+    );
+    let noun = if has_ground_types { "ground" } else { "site" };
     let site = target
         .spectrum
         .site_name()
-        .filter(|_| names_site || !is_eurocode8);
+        .filter(|_| names_site || !has_ground_types);
     let site = site.map(|site| format!("{noun} {site}"));
     match &target.place {
         Some(place) => NamedEarthquake::Place {
             name: place.name.to_string(),
+            is_point: place.is_point(),
             code: place.hazard.code_title().to_owned(),
-            years,
+            years: years.or(match place.hazard {
+                PlaceHazard::Shape {
+                    return_period_years,
+                    ..
+                } => return_period_years,
+                _ => None,
+            }),
             site,
             is_approximate: place.confidence == Confidence::Approximate,
         },

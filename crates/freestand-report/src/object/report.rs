@@ -213,6 +213,7 @@ answer_of!(ObjectReport as report {
     answer: String = report.answer.clone();
     answer_kind: &'static str = report.kind.into();
     earthquake: String = report.earthquake.clone() => "earthquake";
+    __: Option<String> = report.place.as_ref().map(Place::provenance) => "hazard from";
     building: Option<String> = report.building.clone() => "building";
     falls: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.falls.into());
     shock: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.shock.into());

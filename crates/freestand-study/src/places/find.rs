@@ -63,6 +63,7 @@ const REFUSED: [(&str, &str); 7] = [
 impl NotFound {
     /// The problem with what was written, as it is shown; `bring` says what serves in place of a place.
     pub fn problem(&self, shown: &str, bring: &str) -> Problem {
+        const LIST: &str = "freestand place list shows all places";
         let quoted = |names: &[String]| {
             let names: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
             names.join(" or ")
@@ -70,11 +71,12 @@ impl NotFound {
         match self {
             Self::Unknown(near) => {
                 let message = format!("{shown} is not in the table of places");
-                if near.is_empty() {
-                    Problem::value(message, bring)
+                let hint = if near.is_empty() {
+                    format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}")
                 } else {
-                    Problem::value(message, format!("did you mean {}?", quoted(near)))
-                }
+                    format!("did you mean {}?", quoted(near))
+                };
+                Problem::value(message, hint)
             }
             Self::Several(names) => {
                 let message = format!("{shown} is the name of {} places", names.len());
@@ -156,7 +158,11 @@ impl Place {
             let names = found.iter().map(|(_, place)| place.full_name());
             return Err(NotFound::Several(names.collect()));
         }
-        Ok(first.clone())
+        let mut meant = first.clone();
+        if let PlaceHazard::Ntc2018 { at } = meant.hazard {
+            meant.distance_km = grid::node_distance_km(at);
+        }
+        Ok(meant)
     }
 
     /// Whether it has this canonical name, with or without its state or country behind it.

@@ -25,7 +25,8 @@ struct Node {
 
 /// The nodes by ascending id.
 fn nodes() -> &'static [Node] {
-    static NODES: LazyLock<Vec<Node>> = LazyLock::new(|| read(include_bytes!("italy.zlib")));
+    static NODES: LazyLock<Vec<Node>> =
+        LazyLock::new(|| read(include_bytes!("../../places/italy.zlib")));
     &NODES
 }
 

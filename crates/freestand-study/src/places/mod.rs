@@ -369,6 +369,11 @@ impl Place {
         }
     }
 
+    /// Whether it is a point of a grid, whose name is its coordinates.
+    pub fn is_point(&self) -> bool {
+        matches!(self.name, Cow::Owned(_))
+    }
+
     /// Its name, which with what follows it finds this place and no other.
     pub fn full_name(&self) -> String {
         let follows = if self.region.is_empty() {
@@ -393,9 +398,9 @@ impl Place {
 
     /// The source of its values, how far away they are, and how far they can be trusted.
     pub fn provenance(&self) -> String {
-        let away = match (self.distance_km, self.confidence) {
+        let away = match (self.distance_km, self.hazard) {
             (None, _) => String::new(),
-            (Some(km), Confidence::Interpolated) => {
+            (Some(km), PlaceHazard::Ntc2018 { .. }) => {
                 format!(", nearest node {} km away", number(km, 2))
             }
             (Some(km), _) => format!(", {} km away", number(km, 2)),

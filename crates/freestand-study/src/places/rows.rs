@@ -22,7 +22,7 @@ pub(super) fn by_hand() -> usize {
 /// The rows of the tables.
 pub(super) fn rows() -> impl Iterator<Item = &'static str> {
     static NAMED: LazyLock<String> = LazyLock::new(|| {
-        let bytes = inflated(include_bytes!("named.csv.zlib")).unwrap_or_default();
+        let bytes = inflated(include_bytes!("../../places/named.csv.zlib")).unwrap_or_default();
         String::from_utf8(bytes).unwrap_or_default()
     });
     lines(include_str!("places.csv")).chain(lines(&NAMED))

@@ -404,6 +404,15 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
     target
         .facts
         .extend(annex.map(|annex| fact("National annex", annex.name())));
+    if let Some(PlaceHazard::Shape {
+        return_period_years: Some(years),
+        ..
+    }) = hazard
+    {
+        target
+            .facts
+            .push(fact("Return period", format!("{years} years")));
+    }
     if let Some(other) = alternative {
         let [one, two] = [&code, &other].map(|code| {
             let a_g = in_g(code.reference_acceleration_g());

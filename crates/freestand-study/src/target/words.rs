@@ -95,13 +95,9 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
         Err(why) => why,
     };
     let bring = match remedies {
-        Remedies::PlaceAlone => {
-            "give its coordinates, such as \"41.01, 28.97\", or for another hazard `pga`, or a study; freestand place list \
-             shows all places"
-        }
+        Remedies::PlaceAlone => "for another hazard give `pga`, or a study",
         Remedies::Codes => {
-            "give its coordinates, such as \"41.01, 28.97\", or the hazard itself, such as `hazard_factor = \"0.08\"`, or a \
-             table as `spectrum`; freestand place list shows all places"
+            "give the hazard itself, such as `hazard_factor = \"0.08\"`, or a table as `spectrum`"
         }
     };
     let shown = match &why {

@@ -63,7 +63,7 @@ OTHER_NAMES = {
     "Bucharest": "Bucuresti", "New Delhi": "Delhi", "Viña del Mar": "Vina del Mar",
 }
 known = set()
-for line in (HERE / "places.csv").read_text("utf-8").splitlines():
+for line in (HERE.parent / "src" / "places" / "places.csv").read_text("utf-8").splitlines():
     if line and not line.startswith("#"):
         name, others, region, country, *_ = (field.strip() for field in line.split(";"))
         known |= {(plain(one), region, country) for one in [name, *others.split(",")] if one}
@@ -106,7 +106,8 @@ for name, country, region, lat, lon, code, values, source, confidence in read:
     if country == "United States":
         put(name, region, country, "asce7", f"{value['SS']},{value['S1']}", source, confidence, at)
     elif country == "Turkey":
-        put(name, "", "Türkiye", "tbdy2018", ",".join(value[k] for k in ("SsDD2", "S1DD2", "SsDD1", "S1DD1")), source, confidence, at)
+        put(name, "", "Türkiye", "tbdy2018", ",".join(value[k] for k in ("SsDD2", "S1DD2", "SsDD1", "S1DD1")), source,
+            "read, interpolated", at)
     elif country == "Italy":
         put(name, "", country, "ntc2018", "", source, "read, interpolated", at)
     elif country == "Portugal":
@@ -131,7 +132,7 @@ for name, ascii_name, values in settlements():
     put(name, "", "New Zealand", "ts1170.5", values, "TS 1170.5:2025 Table 3.1, repo GNS-Science/TS1170.5-SDP 0bbaf11", "read")
 
 # What was recalled: a peak acceleration on rock, or on the site itself, is enough for a shape. Ranges up to a quarter give
-# their larger end; wider ones are no value (REFUSED in mod.rs).
+# their larger end; wider ones are no value (REFUSED in find.rs).
 PEAK = {
     "nscp2015": ("Z", "NSCP 2015"), "nbc105": ("Z", "NBC 105"), "is1893-2016": ("Z", "IS 1893:2016"), "std2800": ("A", "Standard 2800"),
     "nch433": ("A0", "NCh433"), "e030-2018": ("Z", "E.030-2018"), "covenin1756": ("A0", "COVENIN 1756"), "cirsoc103": ("as", "CIRSOC 103"),
