@@ -70,7 +70,7 @@ impl Question for PlaceList {
                 .keep(chosen.map_err(|problem| problem.of(&["country"])))
                 .unwrap_or_default();
         }
-        if let Some(word) = read.one("word") {
+        if let Some(word) = read.one("word").filter(|_| read.problems.is_empty()) {
             let chosen = listed(&found, word, |place| is_of(place, word));
             found = read
                 .problems
@@ -143,11 +143,6 @@ fn shown(name: &str) -> Result<Place, Problem> {
 }
 
 fn told(why: &NotFound, text: &str) -> Problem {
-    let shown = match why {
-        NotFound::Far(_) | NotFound::NoCoordinates => shorten(text).to_string(),
-        _ => format!("\"{}\"", shorten(text)),
-    };
-    let bring =
-        "commands take a peak acceleration (`pga`), a code or a spectrum in place of a place";
-    why.problem(&shown, bring)
+    let bring = "a peak acceleration of the ground, a code or a spectrum serve in its place";
+    why.problem(None, text, bring)
 }

@@ -144,6 +144,12 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
         {
             return problem.hint("leave it out: this code has one intensity for each place");
         }
+        if let Err(why) = Place::look_up(name, None)
+            && problem.is_about("place")
+        {
+            let bring = "for another hazard give `pga`, or a study";
+            return why.problem(Some("place"), name, bring).of(&["place"]);
+        }
         problem
     };
     let checked = Target::resolve_place(hazard).map(|_| ());

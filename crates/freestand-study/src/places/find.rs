@@ -1,6 +1,7 @@
 //! A place by its name or its coordinates, and what comes near to what was written.
 
 use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
 use freestand_input::words::{canonical, number};
 
 use super::rows::by_hand;
@@ -61,8 +62,14 @@ const REFUSED: [(&str, &str); 7] = [
 ];
 
 impl NotFound {
-    /// The problem with what was written, as it is shown; `bring` says what serves in place of a place.
-    pub fn problem(&self, shown: &str, bring: &str) -> Problem {
+    /// The problem with what was written under a key, if it has one; `bring` says what serves in place of a place.
+    pub fn problem(&self, key: Option<&str>, text: &str, bring: &str) -> Problem {
+        let text = shorten(text);
+        let text = match self {
+            Self::Far(_) | Self::NoCoordinates => text.to_string(),
+            _ => format!("\"{text}\""),
+        };
+        let shown = key.map_or_else(|| text.clone(), |key| format!("`{key}` {text}"));
         const LIST: &str = "freestand place list shows all places";
         let quoted = |names: &[String]| {
             let names: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();

@@ -95,14 +95,10 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
         Err(why) => why,
     };
     let bring = match remedies {
-        Remedies::PlaceAlone => "for another hazard give `pga`, or a study",
+        Remedies::PlaceAlone => "a study takes a hazard of your own",
         Remedies::Codes => {
             "give the hazard itself, such as `hazard_factor = \"0.08\"`, or a table as `spectrum`"
         }
-    };
-    let shown = match &why {
-        NotFound::Far(_) | NotFound::NoCoordinates => format!("`{key}` {}", shorten(&name)),
-        _ => format!("`{key}` \"{}\"", shorten(&name)),
     };
     let code = match (reader.words.get("code"), &why) {
         (Some(text), _) => Code::parse(text).map(Code::name),
@@ -112,7 +108,9 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
             .map(|place| place.hazard.code()),
         (None, _) => None,
     };
-    reader.problems.push(why.problem(&shown, bring).of(&[key]));
+    reader
+        .problems
+        .push(why.problem(Some(key), &name, bring).of(&[key]));
     places()
         .iter()
         .find(|place| Some(place.hazard.code()) == code)
