@@ -252,10 +252,11 @@ fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
         .filter(|place| place.distance_km.is_some_and(|km| km <= SAME_PLACE_KM))
         .find(is_wanted);
     let is_in_italy = here.is_none_or(|place| place.country == "Italy");
-    if is_in_italy && code.is_none_or(|code| code == "ntc2018") {
-        if let Some(km) = grid::node_distance_km(point) {
-            return Ok(on_grid(point, km));
-        }
+    if is_in_italy
+        && code.is_none_or(|code| code == "ntc2018")
+        && let Some(km) = grid::node_distance_km(point)
+    {
+        return Ok(on_grid(point, km));
     }
     here.cloned().ok_or_else(|| {
         let near = near

@@ -9,7 +9,7 @@ use freestand::code_spectrum::{
 
 use super::Target;
 use super::code::{Code, missing, needed};
-use super::words::named_place;
+use super::named::named_place;
 use crate::places::{FAR_KM, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;

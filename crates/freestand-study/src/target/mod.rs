@@ -3,6 +3,7 @@
 mod code;
 mod codes;
 mod countries;
+mod named;
 mod parts;
 mod spectrum;
 mod table;
@@ -18,13 +19,14 @@ use freestand::synthesis;
 
 use code::Code;
 pub use codes::DEFAULT_YEARS;
+pub(crate) use named::place_of;
 pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
     usual_periods_s,
 };
 use words::Remedies;
 pub use words::period_code;
-pub(crate) use words::{code_name, key_of_other_code, place_of};
+pub(crate) use words::{code_name, key_of_other_code};
 
 use crate::places::{Confidence, Place};
 use freestand_input::file::{InputFile, file_name};

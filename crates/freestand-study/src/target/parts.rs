@@ -9,6 +9,7 @@ use freestand_input::words::number;
 use super::Target;
 use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
+use super::named::named_place;
 use super::words::{self, Remedies};
 use crate::places::Place;
 
@@ -33,7 +34,7 @@ impl Target {
     /// ```
     pub fn for_parts(words: &Words) -> Result<Self, Problems> {
         let has = |key: &str| words.get(key).is_some();
-        let has_place = words::named_place(words).is_some();
+        let has_place = named_place(words).is_some();
         if !has("code") && !has_place {
             return Err(nameless(words).into());
         }
@@ -53,7 +54,7 @@ impl Target {
                 code.title()
             );
             let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
-            let key = words::named_place(words).map_or("code", |(key, _)| key);
+            let key = named_place(words).map_or("code", |(key, _)| key);
             return Err(Problem::value(message, hint).of(&[key]).into());
         }
         if code == Some(Code::Table) {

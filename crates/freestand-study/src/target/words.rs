@@ -9,6 +9,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
 
 use super::code::{CODES, Code};
+use super::named::{found, named_place, place_of};
 use super::{Target, codes, countries, table};
 use crate::places::{NotFound, Place, places};
 
@@ -44,27 +45,6 @@ pub(super) fn resolve(
             }
         });
     reader.problems.finish(target)
-}
-
-/// What names a place: the key, and its name or its coordinates.
-pub(super) fn named_place(words: &Words) -> Option<(&'static str, String)> {
-    let named = ["place", "city"]
-        .into_iter()
-        .find_map(|key| Some((key, words.get(key)?.to_owned())));
-    named.or_else(|| {
-        let (latitude, longitude) = (words.get("latitude")?, words.get("longitude")?);
-        Some(("latitude", format!("{latitude}, {longitude}")))
-    })
-}
-
-/// The place that the words name, by the code that they name.
-pub(crate) fn place_of(words: &Words) -> Option<Place> {
-    found(words, &named_place(words)?.1).ok()
-}
-
-fn found(words: &Words, name: &str) -> Result<Place, NotFound> {
-    let code = words.get("code").and_then(Code::parse).map(Code::name);
-    Place::look_up(name, code)
 }
 
 /// The place, if one is named; `None` after a problem with it that leaves the code open. A misspelt
