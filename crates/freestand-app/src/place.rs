@@ -9,13 +9,13 @@ use crate::request::{Request as _, request};
 request! {
     /// A place with the hazard of its code.
     pub struct PlaceKeys {
-        /// Place, with its code and hazard; see freestand place list
+        /// Place or coordinates ("41.01, 28.97"), with their code and hazard; see freestand place list
         #[arg(long, value_name = "NAME")]
         pub place: Option<Written>,
         /// Site class of the code
         #[arg(long, value_name = "CLASS")]
         pub site: Option<Written>,
-        /// Return period in years, of AS 1170.4 and NZS 1170.5
+        /// Return period in years, where the code has several
         #[arg(long = "return-period", value_name = "YEARS")]
         pub return_period_years: Option<Written>,
     }

@@ -2,9 +2,10 @@
 
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
+use freestand_input::words::canonical;
 use freestand_input::written::Written;
 use freestand_output::answer_of;
-use freestand_study::places::{Place, near, places};
+use freestand_study::places::{Coordinates, NotFound, Place, is_country, nearest, places};
 
 use crate::files::Files;
 use crate::request::{Question, Request as _, reader, request};
@@ -14,10 +15,10 @@ pub const SCHEMA: &str = "freestand.place/1";
 
 /// Places with their hazard.
 #[derive(Debug)]
-pub struct Found(pub Vec<&'static Place>);
+pub struct Found(pub Vec<Place>);
 
 answer_of!(Found as found {
-    places: Vec<&'static Place> = found.0.clone();
+    places: Vec<&Place> = found.0.iter().collect();
 });
 
 request! { question
@@ -26,37 +27,65 @@ request! { question
         /// Country or code, such as greece or asce7
         #[arg(value_name = "WORD")]
         pub word: Option<Written>,
+        /// Those of a country, such as Türkiye
+        #[arg(long, value_name = "NAME")]
+        pub country: Option<Written>,
+        /// The nearest 20 to coordinates, such as "41.01, 28.97"; places without coordinates are left out
+        #[arg(long, value_name = "COORDINATES")]
+        pub near: Option<Written>,
     }
 }
 
 request! { question
     /// One place.
     pub struct PlaceShow {
-        /// Name of the place
+        /// Name of the place, or its coordinates
         #[arg(value_name = "NAME")]
         pub name: Option<Written>,
     }
 }
 
+/// How many places are told of coordinates.
+const NEAREST: usize = 20;
+
 impl Question for PlaceList {
-    type Meant = Vec<&'static Place>;
+    type Meant = Vec<Place>;
 
     fn resolve(&self, _: &Files) -> Result<Self::Meant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
-        let found = match read.one("word").map(listed) {
-            None => Some(places().iter().collect()),
-            Some(found) => {
-                let found = found.map_err(|problem| problem.of(&["word"]));
-                read.problems.keep(found)
-            }
+        let point = read.one("near").map(|text| {
+            let found = Coordinates::parse(text).map_err(|why| told(&why, text).of(&["near"]));
+            read.problems.keep(found)
+        });
+        let mut found = match point {
+            None => places().to_vec(),
+            Some(point) => point.map(nearest).unwrap_or_default(),
         };
-        read.problems.finish(found)
+        if let Some(country) = read.one("country") {
+            let wanted = canonical(country);
+            let chosen = listed(&found, country, |place| is_country(&wanted, place.country));
+            found = read
+                .problems
+                .keep(chosen.map_err(|problem| problem.of(&["country"])))
+                .unwrap_or_default();
+        }
+        if let Some(word) = read.one("word").filter(|_| read.problems.is_empty()) {
+            let chosen = listed(&found, word, |place| is_of(place, word));
+            found = read
+                .problems
+                .keep(chosen.map_err(|problem| problem.of(&["word"])))
+                .unwrap_or_default();
+        }
+        if point.is_some() {
+            found.truncate(NEAREST);
+        }
+        read.problems.finish(Some(found))
     }
 }
 
 impl Question for PlaceShow {
-    type Meant = &'static Place;
+    type Meant = Place;
 
     fn resolve(&self, _: &Files) -> Result<Self::Meant, Problems> {
         let words = self.words();
@@ -73,17 +102,12 @@ impl Question for PlaceShow {
     }
 }
 
-/// The places of a country or a code.
-fn listed(word: &str) -> Result<Vec<&'static Place>, Problem> {
-    let plain = |text: &str| {
-        text.to_lowercase()
-            .chars()
-            .filter(|c| c.is_alphanumeric())
-            .collect::<String>()
-    };
+/// Whether a place is of a country, a state or a code.
+fn is_of(place: &Place, word: &str) -> bool {
+    let plain = |text: &str| canonical(text).replace(' ', "");
     let wanted = plain(word);
-    let is_of = |place: &&Place| {
-        [
+    is_country(&canonical(word), place.country)
+        || [
             place.country,
             place.region,
             place.hazard.code(),
@@ -91,11 +115,22 @@ fn listed(word: &str) -> Result<Vec<&'static Place>, Problem> {
         ]
         .iter()
         .any(|one| !one.is_empty() && plain(one) == wanted)
-    };
-    let found: Vec<&Place> = places().iter().filter(is_of).collect();
+}
+
+/// Some of the places.
+fn listed(
+    all: &[Place],
+    word: &str,
+    is_of: impl Fn(&Place) -> bool,
+) -> Result<Vec<Place>, Problem> {
+    let found: Vec<Place> = all.iter().filter(|place| is_of(place)).cloned().collect();
     if found.is_empty() {
-        let mut countries: Vec<&str> = places().iter().map(|place| place.country).collect();
-        countries.dedup();
+        let mut countries: Vec<&str> = Vec::new();
+        for place in places() {
+            if !countries.contains(&place.country) {
+                countries.push(place.country);
+            }
+        }
         let message = format!("no place is in \"{}\"", shorten(word));
         let hint = format!("countries: {}", countries.join(", "));
         return Err(Problem::value(message, hint));
@@ -103,13 +138,11 @@ fn listed(word: &str) -> Result<Vec<&'static Place>, Problem> {
     Ok(found)
 }
 
-fn shown(name: &str) -> Result<&'static Place, Problem> {
-    Place::find(name).ok_or_else(|| {
-        let hint = match near(name).as_slice() {
-            [] => "freestand place list shows all of them".to_owned(),
-            names => format!("did you mean {}?", names.join(" or ")),
-        };
-        let message = format!("\"{}\" is not in the table of places", shorten(name));
-        Problem::value(message, hint)
-    })
+fn shown(name: &str) -> Result<Place, Problem> {
+    Place::look_up(name, None).map_err(|why| told(&why, name))
+}
+
+fn told(why: &NotFound, text: &str) -> Problem {
+    let bring = "a peak acceleration of the ground, a code or a spectrum serve in its place";
+    why.problem(None, text, bring)
 }

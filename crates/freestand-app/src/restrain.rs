@@ -138,17 +138,17 @@ const EARTHQUAKE: &str = "The earthquake (one of --place, --code, --study, --flo
 fn of_parts(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
         "place" => arg
-            .help("Place, with its code and hazard; see freestand place list")
+            .help("Place or coordinates, with their code and hazard; see freestand place list")
             .help_heading(EARTHQUAKE),
         "code" => arg
-            .help("Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5")
+            .help("Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018")
             .help_heading(EARTHQUAKE),
         "edition" => arg.help(
             "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016, in California 2022]",
         ),
         "site" => arg.help("Site class of the code"),
         "hazard_factor" => arg.help("Hazard factor Z"),
-        "city" | "fault_distance" | "corner_periods" | "sd1" | "long_period" | "spectrum"
+        "city" | "latitude" | "longitude" | "fault_distance" | "corner_periods" | "sd1" | "long_period" | "spectrum"
         | "interpolation" | "beyond" => arg.hide(true),
         _ => arg,
     }

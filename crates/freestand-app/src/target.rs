@@ -15,20 +15,31 @@ use crate::request::{Request, request};
 request! {
     /// A target: the spectrum of a code, or a table of the user.
     pub struct TargetKeys {
-        /// Design code: as1170.4, eurocode8, asce7, nzs1170.5 [default: as1170.4, or the table of --spectrum]
+        /// Design code: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5 [default: that of the place,
+        /// as1170.4, or the table of --spectrum]
         #[arg(long, value_name = "CODE", help_heading = "The code")]
         pub code: Option<Written>,
         /// Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 [default:
         /// the first]
         #[arg(long, value_name = "YEAR", help_heading = "The code")]
         pub edition: Option<Written>,
-        /// Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8, subsoil class A
-        /// to E of NZS 1170.5, site class A to E of ASCE 7
+        /// Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8 and NTC 2018, subsoil class A
+        /// to E of NZS 1170.5, site class A to E of ASCE 7, ZA to ZE of TBDY 2018, I to VI of TS 1170.5
         #[arg(long, value_name = "CLASS", help_heading = "The code")]
         pub site: Option<Written>,
-        /// Place whose hazard is used, with its code: freestand place list [default: Melbourne]
+        /// Place or coordinates ("41.01, 28.97") whose hazard is used, with its code: freestand place list [default:
+        /// Melbourne]
         #[arg(long, value_name = "NAME", help_heading = "The code")]
         pub place: Option<Written>,
+        /// Latitude in degrees, north positive, in place of --place
+        #[arg(long, value_name = "DEGREES", help_heading = "The code", allow_hyphen_values = true)]
+        pub latitude: Option<Written>,
+        /// Longitude in degrees, east positive
+        #[arg(long, value_name = "DEGREES", help_heading = "The code", allow_hyphen_values = true)]
+        pub longitude: Option<Written>,
+        /// Topographic category T1 to T4 of NTC 2018 [default: T1]
+        #[arg(long, value_name = "CLASS", help_heading = "The code")]
+        pub topography: Option<Written>,
         /// Hazard factor Z [default: that of the place]
         #[arg(long, value_name = "RATIO", help_heading = "AS 1170.4 and NZS 1170.5")]
         pub hazard_factor: Option<Written>,

@@ -319,7 +319,7 @@ answer_of!(
     edition: &'static str = of.0.target.spectrum.name();
     site: Option<&'static str> = of.0.target.spectrum.site_name();
     city: Option<String> = of.0.target.place_name();
-    place: Option<&'static Place> = of.0.target.place;
+    place: Option<&Place> = of.0.target.place.as_ref();
     hazard: HazardOf<'_> = HazardOf(Some(&of.0.target)) => flat;
     facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
     spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);

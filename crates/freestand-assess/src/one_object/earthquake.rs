@@ -7,6 +7,8 @@ pub enum NamedEarthquake {
     Place {
         /// Its name.
         name: String,
+        /// Whether its name is coordinates.
+        is_point: bool,
         /// Its code in print.
         code: String,
         /// The return period, if the code has one \[years\].

@@ -7,7 +7,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::notes::grouped;
 use freestand_study::near_fault;
-use freestand_study::places::{Confidence, Place, near};
+use freestand_study::places::{Confidence, Place, PlaceHazard};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
 use freestand_study::study::assessment::{Settings, Spread};
@@ -144,8 +144,6 @@ fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
 /// # Errors
 /// All of it, under its own keys and without the keys of a study.
 pub fn check_place(hazard: &Words) -> Result<(), Problems> {
-    let elsewhere =
-        "freestand place list shows all places; for another hazard give `pga`, or a study";
     let name = hazard.get("place").unwrap_or_default();
     let earthquake = |problem: Problem| {
         if problem.is_about("return_period_years")
@@ -153,11 +151,13 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
         {
             return problem.hint("leave it out: this code has one intensity for each place");
         }
-        if problem.is_about("place") && near(name).is_empty() {
-            problem.hint(elsewhere)
-        } else {
-            problem
+        if let Err(why) = Place::look_up(name, None)
+            && problem.is_about("place")
+        {
+            let bring = "for another hazard give `pga`, or a study";
+            return why.problem(Some("place"), name, bring).of(&["place"]);
         }
+        problem
     };
     near_fault::check_place(hazard)
         .map_err(|problems| problems.into_iter().map(earthquake).collect())
@@ -208,18 +208,28 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
 
 fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
     let years = target.spectrum.return_period_years();
-    let is_eurocode8 = matches!(target.spectrum, CodeSpectrum::Eurocode8(_));
-    let noun = if is_eurocode8 { "ground" } else { "site" };
+    let has_ground_types = matches!(
+        target.spectrum,
+        CodeSpectrum::Eurocode8(_) | CodeSpectrum::Ntc2018(_)
+    );
+    let noun = if has_ground_types { "ground" } else { "site" };
     let site = target
         .spectrum
         .site_name()
-        .filter(|_| names_site || !is_eurocode8);
+        .filter(|_| names_site || !has_ground_types);
     let site = site.map(|site| format!("{noun} {site}"));
-    match target.place {
+    match &target.place {
         Some(place) => NamedEarthquake::Place {
-            name: place.name.to_owned(),
+            name: place.name.to_string(),
+            is_point: place.is_point(),
             code: place.hazard.code_title().to_owned(),
-            years,
+            years: years.or(match place.hazard {
+                PlaceHazard::Shape {
+                    return_period_years,
+                    ..
+                } => return_period_years,
+                _ => None,
+            }),
             site,
             is_approximate: place.confidence == Confidence::Approximate,
         },

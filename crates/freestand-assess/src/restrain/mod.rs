@@ -354,9 +354,12 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     }
     let of_hazard: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
-        (RestrainHazard::Study(_), Some(target)) => {
-            target.place.and_then(Place::doubt).into_iter().collect()
-        }
+        (RestrainHazard::Study(_), Some(target)) => target
+            .place
+            .as_ref()
+            .and_then(Place::doubt)
+            .into_iter()
+            .collect(),
         (_, target) => target
             .iter()
             .flat_map(|target| target.warnings.iter().cloned())

@@ -550,10 +550,26 @@ impl<'a> Asked<'a> {
     }
 
     fn europe(&self, spectrum: &CodeSpectrum) -> Option<Source> {
-        let CodeSpectrum::Eurocode8(code) = spectrum else {
-            return None;
+        // NTC 2018 has the force of Eurocode 8 and leaves its acceleration open.
+        let (ground_g, code, clause, name, remark) = match spectrum {
+            CodeSpectrum::Eurocode8(code) => (
+                code.zero_period_g(),
+                "Eurocode 8",
+                "EN 1998-1, 4.3.5.2",
+                "EN 1998-1:2004, 4.3.5.2",
+                None,
+            ),
+            CodeSpectrum::Ntc2018(code) => (
+                code.zero_period_g(),
+                "NTC 2018",
+                "7.2.3",
+                "NTC 2018, 7.2.3",
+                Some(
+                    "F_a = S_a W_a/q_a by NTC 2018, 7.2.3, which leaves S_a open: it is that of EN 1998-1, 4.3.5.2.",
+                ),
+            ),
+            _ => return None,
         };
-        let ground_g = code.zero_period_g();
         let stated = self.question.settings.amplification_ratio;
         // The formula has no factor for a part: a stated one multiplies the force of a rigid part.
         let period = if self.is_flexible() && stated.is_none() {
@@ -610,9 +626,9 @@ impl<'a> Asked<'a> {
         factors.extend(known);
         Some(Source {
             kind: RestraintKind::OwnCode,
-            code: Some("Eurocode 8"),
-            clause: "EN 1998-1, 4.3.5.2",
-            name: "EN 1998-1:2004, 4.3.5.2",
+            code: Some(code),
+            clause,
+            name,
             force: eurocode8_force(ground_g, self.place.level_ratio, &part),
             vertical_ratio: 0.0,
             vertical_words: "",
@@ -629,7 +645,7 @@ impl<'a> Asked<'a> {
                 behaviour.number()
             ),
             factors,
-            remarks: Vec::new(),
+            remarks: remark.map(str::to_owned).into_iter().collect(),
             to_confirm: Vec::new(),
         })
     }

@@ -53,7 +53,7 @@ impl Tell for PlaceList {
     type Output = ();
 
     fn tell(
-        found: Vec<&'static Place>,
+        found: Vec<Place>,
         (): &(),
         global: &GlobalArgs,
         printer: &Printer,
@@ -66,7 +66,7 @@ impl Tell for PlaceShow {
     type Output = ();
 
     fn tell(
-        place: &'static Place,
+        place: Place,
         (): &(),
         global: &GlobalArgs,
         printer: &Printer,
@@ -75,16 +75,16 @@ impl Tell for PlaceShow {
         print(
             vec![place],
             &doubts,
-            |_| place_text(place),
+            |found| found.iter().map(place_text).collect(),
             (global, printer),
         )
     }
 }
 
 fn print(
-    found: Vec<&'static Place>,
+    found: Vec<Place>,
     warnings: &[String],
-    text: impl FnOnce(&[&'static Place]) -> String,
+    text: impl FnOnce(&[Place]) -> String,
     (global, printer): (&GlobalArgs, &Printer),
 ) -> Result<Done, Failure> {
     let found = Found(found);

@@ -18,13 +18,17 @@ if TYPE_CHECKING:
 class TargetArguments(TypedDict, total=False):
     """The target spectrum of a code, a place or a file: docs/codes.md has the values that each code needs."""
 
-    #: as1170.4 (default), eurocode8, asce7, nzs1170.5.
+    #: as1170.4 (default), eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5.
     code: str | None
     edition: int | str | None
     site: str | None
-    #: Brings its code and its hazard.
+    #: Brings its code and its hazard; its name, or its coordinates ("41.01, 28.97").
     place: str | None
     city: str | None
+    latitude: float | None
+    longitude: float | None
+    #: T1 to T4 of NTC 2018.
+    topography: str | None
     hazard_factor: float | None
     return_period_years: float | None
     fault_distance_m: float | None
@@ -73,8 +77,8 @@ def code_spectrum(
     building_height_m, building_period_s : float, optional
         The building, for `parts` [m, s].
     **target
-        `code` is "as1170.4" (default), "eurocode8", "asce7" or "nzs1170.5", with `edition, site, place, city,
-        hazard_factor, return_period_years` and further values of the codes: `fault_distance_m, spectrum_type,
+        `code` is "as1170.4" (default), "eurocode8", "asce7", "nzs1170.5", "ntc2018", "tbdy2018" or "ts1170.5", with
+        `edition, site, place, city, latitude, longitude, topography, hazard_factor, return_period_years` and further values of the codes: `fault_distance_m, spectrum_type,
         ground_acceleration_g, importance_factor, soil_factor, corner_periods_s, sds_g, sd1_g, ss_g, s1_g, fa, fv,
         long_period_s`; or `spectrum` (a file) with `interpolation` and `beyond`: docs/codes.md.
 

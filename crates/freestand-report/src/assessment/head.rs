@@ -226,6 +226,7 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
     if let Some(target) = study.ground.code_spectrum() {
         let approximate = target
             .place
+            .as_ref()
             .is_some_and(|place| place.confidence == Confidence::Approximate);
         let confirm = if approximate {
             " (approximate hazard: confirm it)"

@@ -45,7 +45,7 @@ pub struct ObjectReport {
     /// The building in words, of an object above the ground.
     building: Option<String>,
     level_ratio: Option<f64>,
-    place: Option<&'static Place>,
+    place: Option<Place>,
     is_round: bool,
     place_is_assumed: bool,
     building_is_assumed: bool,
@@ -134,7 +134,7 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         noun: noun(&earthquake),
         building: building_words(&study, request.units).filter(|_| is_above),
         level_ratio,
-        place: target.and_then(|target| target.place),
+        place: target.and_then(|target| target.place.clone()),
         is_round: item.is_round(),
         place_is_assumed: study.place_is_assumed,
         building_is_assumed: study.building_is_assumed && is_above,
@@ -221,6 +221,7 @@ answer_of!(ObjectReport as report {
     answer: String = report.answer.clone();
     answer_kind: &'static str = report.kind.into();
     earthquake: String = report.earthquake.clone() => "earthquake";
+    __: Option<String> = report.place.as_ref().map(Place::provenance) => "hazard from";
     building: Option<String> = report.building.clone() => "building";
     falls: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.falls.into());
     shock: Option<&'static str> = report.found.answers.as_ref().map(|answers| answers.shock.into());
@@ -286,7 +287,7 @@ answer_of!(ObjectReport as report {
     sliding: Option<&'static str> = report.sliding().map(SlidingVerdict::name);
     __: Option<&'static str> = report.sliding().filter(|one| report.found.rolled.is_none() && *one != SlidingVerdict::No).map(SlidingVerdict::name) => "slides";
     level_ratio: Option<f64> = report.level_ratio;
-    place: Option<&Place> = report.place;
+    place: Option<&Place> = report.place.as_ref();
     /// The object under its motions at each scale.
     scales: Option<Vec<&Scaled>> = (!report.scales.is_empty()).then(|| report.scales.iter().collect());
     decision: &'static str = report.found.decision.name();

@@ -193,6 +193,7 @@ impl Answer {
         match &self.earthquake {
             NamedEarthquake::Place {
                 name,
+                is_point,
                 code,
                 years,
                 site,
@@ -204,7 +205,8 @@ impl Answer {
                 if *is_approximate {
                     details.push("approximate hazard, confirm".to_owned());
                 }
-                format!("In {name} ({}) {floor}", details.join(", "))
+                let at = if *is_point { "At" } else { "In" };
+                format!("{at} {name} ({}) {floor}", details.join(", "))
             }
             NamedEarthquake::GroundAcceleration { peak_g } => {
                 let peak = format!("At a ground acceleration of {} g", number(*peak_g, 4));

@@ -151,7 +151,7 @@ answer_of!(RestrainReport as report {
     /// The formula with its numbers.
     formula: String = formula_words(&report.case);
     level_ratio: f64 = report.case.question.object.level_ratio;
-    place: Option<&Place> = report.case.target.as_ref().and_then(|target| target.place);
+    place: Option<&Place> = report.case.target.as_ref().and_then(|target| target.place.as_ref());
     factors: ByName<OfFactor<'_>> = factors(&report.case.own.source.factors);
     /// What was not stated.
     assumptions: Vec<String> = assumptions(&report.case);

@@ -121,7 +121,7 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
     let doubt = case
         .target
         .as_ref()
-        .and_then(|target| target.place)
+        .and_then(|target| target.place.as_ref())
         .and_then(|place| place.doubt());
     let mut notes: Vec<String> = doubt.map(|doubt| sentence(&doubt)).into_iter().collect();
     notes.extend(assumptions(case));

@@ -3,11 +3,14 @@
 use super::Kind::{self, Name, Number, Quantity};
 use freestand_input::quantity::Dimension;
 
-pub(crate) const TARGET_KEYS: [(&str, Kind); 24] = [
+pub(crate) const TARGET_KEYS: [(&str, Kind); 27] = [
     ("code", Name),
     ("site", Name),
     ("place", Name),
     ("city", Name),
+    ("latitude", Number),
+    ("longitude", Number),
+    ("topography", Name),
     ("spectrum", Name),
     ("interpolation", Name),
     ("beyond", Name),

@@ -1,19 +1,60 @@
-//! Places by name, with the hazard that the code of their country gives them and its source.
+//! Places by name or by coordinates, with the hazard that the code of their country gives them and its source.
 
-use std::sync::LazyLock;
+mod find;
+mod grid;
+mod rows;
 
-use freestand::code_spectrum::NationalAnnex;
-use freestand_input::words::{canonical, number};
+use std::borrow::Cow;
+
+use freestand::code_spectrum::{NationalAnnex, SpectrumType, TsSite, TsValues};
+use freestand_input::words::number;
 use freestand_output::answer_of;
 
-/// A place, and what its code says about it.
+pub use find::{NotFound, is_country, nearest};
+pub use grid::{NTC_YEARS, ntc_hazard};
+pub use rows::places;
+
+/// A point on WGS 84.
 #[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Coordinates {
+    /// Latitude, north positive \[degrees\].
+    pub latitude_deg: f64,
+    /// Longitude, east positive \[degrees\].
+    pub longitude_deg: f64,
+}
+
+/// The mean radius of the Earth \[km\].
+const EARTH_KM: f64 = 6371.0;
+
+impl Coordinates {
+    /// The distance on a sphere \[km\].
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_study::places::Coordinates;
+    /// let at = |latitude_deg, longitude_deg| Coordinates { latitude_deg, longitude_deg };
+    /// assert!((at(41.0, 29.0).distance_km(at(42.0, 29.0)) - 111.19).abs() < 0.01);
+    /// ```
+    pub fn distance_km(self, other: Self) -> f64 {
+        let [phi, other_phi] = [self, other].map(|one| one.latitude_deg.to_radians());
+        let half = |from: f64, to: f64| (0.5 * (to - from)).sin().powi(2);
+        let longitude = half(
+            self.longitude_deg.to_radians(),
+            other.longitude_deg.to_radians(),
+        );
+        let h = half(phi, other_phi) + phi.cos() * other_phi.cos() * longitude;
+        2.0 * EARTH_KM * h.sqrt().min(1.0).asin()
+    }
+}
+
+/// A place, and what its code says about it.
+#[derive(Debug, Clone, PartialEq)]
 pub struct Place {
-    /// Its name.
-    pub name: &'static str,
+    /// Its name; of a point, its coordinates.
+    pub name: Cow<'static, str>,
     /// Other names, separated by commas.
     other_names: &'static str,
-    /// The state, as its two letters; empty outside the United States.
+    /// The state, as its two letters, in the United States; elsewhere what tells places of one name apart.
     pub region: &'static str,
     /// The country.
     pub country: &'static str,
@@ -23,6 +64,12 @@ pub struct Place {
     pub source: &'static str,
     /// How far the values can be trusted.
     pub confidence: Confidence,
+    /// Where it is, where that is known.
+    pub coordinates: Option<Coordinates>,
+    /// From the coordinates that were asked for to it; of a point, to the nearest node of the grid \[km\].
+    pub distance_km: Option<f64>,
+    /// To the nearest major fault, where the table of its code has that; [`FAR_KM`] stands for more \[km\].
+    pub fault_distance_km: Option<f64>,
 }
 
 /// The hazard of a place in the terms of its code.
@@ -37,10 +84,8 @@ pub enum PlaceHazard {
     Nzs1170_5 {
         /// Hazard factor Z.
         hazard_factor: f64,
-        /// Distance to the nearest fault; [`FAR_KM`] stands for more \[km\].
-        fault_distance_km: f64,
     },
-    /// ASCE 7-16, risk-targeted maximum considered earthquake, class B/C.
+    /// ASCE 7-16, risk-targeted maximum considered earthquake, class B/C: it has no return period.
     Asce7 {
         /// Mapped acceleration at short periods \[g\].
         ss_g: f64,
@@ -55,11 +100,91 @@ pub enum PlaceHazard {
         type2_ground_acceleration_g: Option<f64>,
         /// The national annex; `None`: it was not read, and the shape is the recommended one.
         annex: Option<NationalAnnex>,
+        /// The type, where the annex has one alone for this place.
+        only_type: Option<SpectrumType>,
+    },
+    /// NTC 2018: [`ntc_hazard`] of this point.
+    Ntc2018 {
+        /// Where it is.
+        at: Coordinates,
+    },
+    /// TBDY 2018, Vs30 760 m/s, by level of ground motion: DD-2 (475 years), DD-1 (2475 years).
+    Tbdy2018 {
+        /// Ss \[g\].
+        ss_g: [f64; 2],
+        /// S1 \[g\].
+        s1_g: [f64; 2],
+    },
+    /// TS 1170.5:2025: [`TsLevel`]s.
+    Ts1170_5 {
+        /// The rows of Table 3.1 for the settlement.
+        table: &'static str,
+    },
+    /// A peak ground acceleration, with the shape of Eurocode 8, type 1: the code of the country is not in the program.
+    Shape {
+        /// Peak ground acceleration \[g\].
+        acceleration_g: f64,
+        /// Whether it holds on the soil of the place, not on rock.
+        is_on_site: bool,
+        /// Where the plateau ends, if that is known \[s\].
+        corner_period_s: Option<f64>,
+        /// Its return period, if that is known \[years\].
+        return_period_years: Option<u32>,
+        /// The code or the model that has it.
+        by: &'static str,
     },
 }
 
 /// The distance to a fault from which it has no effect in NZS 1170.5 \[km\].
 pub const FAR_KM: f64 = 20.0;
+
+/// The return periods of DD-2 and DD-1 of TBDY 2018 \[years\].
+pub const TBDY_YEARS: [u32; 2] = [475, 2475];
+
+/// What Table 3.1 of TS 1170.5:2025 has for a settlement and a return period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TsLevel {
+    /// Return period \[years\].
+    pub years: u32,
+    /// To the nearest fault; [`FAR_KM`] stands for more, `None` where the table has none \[km\].
+    pub fault_distance_km: Option<f64>,
+    /// For each class.
+    pub values: [TsValues; TsSite::ALL.len()],
+}
+
+impl TsLevel {
+    /// The rows of a settlement: `years,M,D,PGA,Sas,Tc,Td,…`, with four values for each class, separated by `|`.
+    pub fn all(table: &str) -> impl Iterator<Item = Self> {
+        table.split('|').filter_map(Self::read)
+    }
+
+    fn read(row: &str) -> Option<Self> {
+        let fields: Vec<&str> = row.split(',').collect();
+        let [years, _magnitude, distance, numbers @ ..] = fields.as_slice() else {
+            return None;
+        };
+        let numbers: Vec<f64> = numbers
+            .iter()
+            .map(|one| one.parse())
+            .collect::<Result<_, _>>()
+            .ok()?;
+        let mut values = numbers.chunks_exact(4).map(|four| match *four {
+            [pga_g, sas_g, tc_s, td_s] => Some(TsValues {
+                pga_g,
+                sas_g,
+                tc_s,
+                td_s,
+            }),
+            _ => None,
+        });
+        let mut next = || values.next().flatten();
+        Some(Self {
+            years: years.parse().ok()?,
+            fault_distance_km: distance.parse().ok(),
+            values: [next()?, next()?, next()?, next()?, next()?, next()?],
+        })
+    }
+}
 
 impl PlaceHazard {
     /// The name of the code in flags and studies.
@@ -68,7 +193,10 @@ impl PlaceHazard {
             Self::As1170_4 { .. } => "as1170.4",
             Self::Nzs1170_5 { .. } => "nzs1170.5",
             Self::Asce7 { .. } => "asce7",
-            Self::Eurocode8 { .. } => "eurocode8",
+            Self::Eurocode8 { .. } | Self::Shape { .. } => "eurocode8",
+            Self::Ntc2018 { .. } => "ntc2018",
+            Self::Tbdy2018 { .. } => "tbdy2018",
+            Self::Ts1170_5 { .. } => "ts1170.5",
         }
     }
 
@@ -78,23 +206,23 @@ impl PlaceHazard {
             Self::As1170_4 { .. } => "AS 1170.4",
             Self::Nzs1170_5 { .. } => "NZS 1170.5",
             Self::Asce7 { .. } => "ASCE 7-16",
+            Self::Eurocode8 {
+                annex: Some(NationalAnnex::Spain { .. }),
+                ..
+            } => "NCSE-02",
             Self::Eurocode8 { .. } => "Eurocode 8",
+            Self::Shape { .. } => "shape of Eurocode 8",
+            Self::Ntc2018 { .. } => "NTC 2018",
+            Self::Tbdy2018 { .. } => "TBDY 2018",
+            Self::Ts1170_5 { .. } => "TS 1170.5:2025",
         }
     }
 
     /// The values with their symbols: `Z = 0.08`, `Ss = 1.976 g, S1 = 0.704 g`.
     pub fn words(&self) -> String {
         match self {
-            Self::As1170_4 { hazard_factor } => format!("Z = {}", number(*hazard_factor, 4)),
-            Self::Nzs1170_5 {
-                hazard_factor,
-                fault_distance_km,
-            } => {
-                format!(
-                    "Z = {}, {}",
-                    number(*hazard_factor, 4),
-                    fault_words(*fault_distance_km)
-                )
+            Self::As1170_4 { hazard_factor } | Self::Nzs1170_5 { hazard_factor } => {
+                format!("Z = {}", number(*hazard_factor, 4))
             }
             Self::Asce7 { ss_g, s1_g } => {
                 format!("Ss = {} g, S1 = {} g", number(*ss_g, 4), number(*s1_g, 4))
@@ -103,69 +231,83 @@ impl PlaceHazard {
                 ground_acceleration_g,
                 type2_ground_acceleration_g,
                 annex,
+                only_type,
             } => {
-                let one = format!("a_gR = {} g", number(*ground_acceleration_g, 4));
+                let symbol = match annex {
+                    Some(NationalAnnex::Spain { .. }) => "a_b",
+                    _ => "a_gR",
+                };
+                let one = format!("{symbol} = {} g", number(*ground_acceleration_g, 4));
                 let two = type2_ground_acceleration_g.map_or_else(String::new, |two| {
                     format!(" (type 1), {} g (type 2)", number(two, 4))
                 });
-                let corner = match annex {
+                let only =
+                    only_type.map_or_else(String::new, |one| format!(" (type {})", one.number()));
+                let rest = match annex {
                     Some(NationalAnnex::Romania { corner_period_s }) => {
                         format!(" (225 years), TC = {} s", number(*corner_period_s, 4))
                     }
+                    Some(NationalAnnex::Spain { contribution_ratio }) => {
+                        format!(" (500 years), K = {}", number(*contribution_ratio, 4))
+                    }
                     _ => String::new(),
                 };
-                format!("{one}{two}{corner}")
+                format!("{one}{two}{only}{rest}")
             }
-        }
-    }
-
-    /// The values of a row of the table: numbers, then names with values (`fault=6`, `annex=pt`).
-    fn parse(code: &str, values: &str) -> Option<Self> {
-        let (named, numbers): (Vec<&str>, Vec<&str>) = values
-            .split(',')
-            .map(str::trim)
-            .partition(|value| value.contains('='));
-        let numbers: Vec<f64> = numbers
-            .into_iter()
-            .map(str::parse)
-            .collect::<Result<_, _>>()
-            .ok()?;
-        let named: Vec<(&str, &str)> = named
-            .into_iter()
-            .filter_map(|value| value.split_once('='))
-            .collect();
-        let eurocode8 =
-            |ground_acceleration_g, type2_ground_acceleration_g, annex| Self::Eurocode8 {
-                ground_acceleration_g,
-                type2_ground_acceleration_g,
-                annex,
-            };
-        match (code, numbers.as_slice(), named.as_slice()) {
-            ("as1170.4", &[hazard_factor], []) => Some(Self::As1170_4 { hazard_factor }),
-            ("nzs1170.5", &[hazard_factor], [("fault", km)]) => Some(Self::Nzs1170_5 {
-                hazard_factor,
-                fault_distance_km: km.parse().ok()?,
-            }),
-            ("asce7", &[ss_g, s1_g], []) => Some(Self::Asce7 { ss_g, s1_g }),
-            ("eurocode8", &[a_g], []) => Some(eurocode8(a_g, None, None)),
-            ("eurocode8", &[a_g], [("annex", "fr")]) => {
-                Some(eurocode8(a_g, None, Some(NationalAnnex::France)))
+            Self::Ntc2018 { at } => {
+                ntc_hazard(*at, NTC_DEFAULT_YEARS).map_or_else(String::new, |found| {
+                    format!(
+                        "ag = {} g, F0 = {}, Tc* = {} s ({NTC_DEFAULT_YEARS} years)",
+                        number(found.ag_g, 4),
+                        number(found.f0_ratio, 4),
+                        number(found.tc_star_s, 3)
+                    )
+                })
             }
-            ("eurocode8", &[a_g, two], [("annex", "pt")]) => {
-                Some(eurocode8(a_g, Some(two), Some(NationalAnnex::Portugal)))
+            Self::Tbdy2018 { ss_g, s1_g } => {
+                let level = |k: usize| {
+                    let (ss, s1) = (number(ss_g[k], 4), number(s1_g[k], 4));
+                    format!("Ss = {ss} g, S1 = {s1} g ({} years)", TBDY_YEARS[k])
+                };
+                format!("{}; {}", level(0), level(1))
             }
-            ("eurocode8", &[a_g], [("annex", "ro"), ("tc", corner)]) => {
-                let corner_period_s = corner.parse().ok()?;
-                let annex = NationalAnnex::Romania { corner_period_s };
-                Some(eurocode8(a_g, None, Some(annex)))
+            Self::Ts1170_5 { table } => {
+                let level = TsLevel::all(table).find(|level| level.years == TS_DEFAULT_YEARS);
+                level.map_or_else(String::new, |level| {
+                    let [_, _, TsValues { pga_g, sas_g, .. }, ..] = level.values;
+                    let (pga, sas) = (number(pga_g, 3), number(sas_g, 3));
+                    format!("PGA = {pga} g, Sa,s = {sas} g (class III, {TS_DEFAULT_YEARS} years)")
+                })
             }
-            _ => None,
+            Self::Shape {
+                acceleration_g,
+                is_on_site,
+                return_period_years,
+                by,
+                ..
+            } => {
+                let on = if *is_on_site {
+                    "on the soil"
+                } else {
+                    "on rock"
+                };
+                let years = return_period_years
+                    .map_or_else(String::new, |years| format!(", {years} years"));
+                format!("PGA = {} g {on} ({by}{years})", number(*acceleration_g, 4))
+            }
         }
     }
 
     /// Whether its code has factors for several return periods.
     pub fn takes_return_period(&self) -> bool {
-        matches!(self, Self::As1170_4 { .. } | Self::Nzs1170_5 { .. })
+        match self {
+            Self::As1170_4 { .. }
+            | Self::Nzs1170_5 { .. }
+            | Self::Ntc2018 { .. }
+            | Self::Tbdy2018 { .. }
+            | Self::Ts1170_5 { .. } => true,
+            Self::Asce7 { .. } | Self::Eurocode8 { .. } | Self::Shape { .. } => false,
+        }
     }
 
     /// Its return period \[years\], where its code has one alone.
@@ -174,6 +316,10 @@ impl PlaceHazard {
             Self::Eurocode8 { annex, .. } => {
                 Some(annex.map_or(EUROCODE_YEARS, NationalAnnex::return_period_years))
             }
+            Self::Shape {
+                return_period_years,
+                ..
+            } => *return_period_years,
             _ => None,
         }
     }
@@ -181,23 +327,22 @@ impl PlaceHazard {
 
 /// The return period of a_gR that EN 1998-1, 2.1, recommends \[years\].
 const EUROCODE_YEARS: u32 = 475;
-
-/// `a fault 6 km away`, `no fault within 20 km`.
-fn fault_words(fault_distance_km: f64) -> String {
-    if fault_distance_km >= FAR_KM {
-        format!("no fault within {} km", number(FAR_KM, 3))
-    } else {
-        format!("a fault {} km away", number(fault_distance_km, 3))
-    }
-}
+/// The return period of NTC 2018 and TBDY 2018, where none is stated: that of their ultimate limit state for a building of
+/// usual importance \[years\].
+pub(crate) const NTC_DEFAULT_YEARS: u32 = 475;
+/// That of TS 1170.5:2025 \[years\].
+pub(crate) const TS_DEFAULT_YEARS: u32 = 500;
 
 /// How far the values of a place can be trusted.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr, strum::EnumIter)]
 #[strum(serialize_all = "kebab-case")]
 pub enum Confidence {
     /// Read in a public source.
     Read,
-    /// Recalled: every output asks the reader to confirm it.
+    /// Read, and interpolated between the nodes of a grid.
+    #[strum(serialize = "read, interpolated")]
+    Interpolated,
+    /// Recalled, or read in a source that nobody checked: every output asks the reader to confirm it.
     Approximate,
 }
 
@@ -208,78 +353,10 @@ impl Confidence {
     }
 }
 
-/// All places, in the order of the table: Australia, the United States, New Zealand, Europe.
-pub fn places() -> &'static [Place] {
-    static PLACES: LazyLock<Vec<Place>> = LazyLock::new(|| rows().filter_map(read).collect());
-    &PLACES
-}
-
-/// The rows of the table.
-fn rows() -> impl Iterator<Item = &'static str> {
-    include_str!("places.csv")
-        .lines()
-        .filter(|line| !line.starts_with('#') && !line.is_empty())
-}
-
-fn read(row: &'static str) -> Option<Place> {
-    let fields: Vec<&str> = row.split(';').map(str::trim).collect();
-    let &[
-        name,
-        other_names,
-        region,
-        country,
-        code,
-        values,
-        source,
-        confidence,
-    ] = fields.as_slice()
-    else {
-        return None;
-    };
-    let hazard = PlaceHazard::parse(code, values)?;
-    let confidence = [Confidence::Read, Confidence::Approximate]
-        .into_iter()
-        .find(|one| one.name() == confidence)?;
-    Some(Place {
-        name,
-        other_names,
-        region,
-        country,
-        hazard,
-        source,
-        confidence,
-    })
-}
-
 impl Place {
-    /// The place with this name. Capitals, accents and punctuation do not matter; the state or the
-    /// country may follow: `Charleston, SC`, `Wellington New Zealand`.
-    ///
-    /// # Example
-    /// ```
-    /// use freestand_study::places::{Place, PlaceHazard};
-    /// let place = Place::find("zürich").unwrap();
-    /// assert_eq!((place.name, place.country), ("Zurich", "Switzerland"));
-    /// assert!(matches!(place.hazard, PlaceHazard::Eurocode8 { ground_acceleration_g: 0.06, .. }));
-    /// assert_eq!(Place::find("Atlantis"), None);
-    /// ```
-    pub fn find(name: &str) -> Option<&'static Self> {
-        let wanted = canonical(name);
-        places().iter().find(|place| {
-            place.names().any(|name| {
-                let name = canonical(name);
-                wanted.strip_prefix(&name).is_some_and(|rest| {
-                    let rest = rest.trim_start();
-                    rest.is_empty()
-                        || rest == canonical(place.region)
-                        || rest == canonical(place.country)
-                })
-            })
-        })
-    }
-
-    fn names(&self) -> impl Iterator<Item = &'static str> {
-        std::iter::once(self.name)
+    /// Its name, its other names.
+    fn names(&self) -> impl Iterator<Item = &str> {
+        std::iter::once(self.name.as_ref())
             .chain(self.other_names.split(',').filter(|name| !name.is_empty()))
     }
 
@@ -292,39 +369,99 @@ impl Place {
         }
     }
 
+    /// Whether it is a point of a grid, whose name is its coordinates.
+    pub fn is_point(&self) -> bool {
+        matches!(self.name, Cow::Owned(_))
+    }
+
+    /// Its name, which with what follows it finds this place and no other.
+    pub fn full_name(&self) -> String {
+        let follows = if self.region.is_empty() {
+            self.country
+        } else {
+            self.region
+        };
+        format!("{}, {follows}", self.name)
+    }
+
+    /// The values of its hazard with their symbols, and its distance to a fault.
+    pub fn words(&self) -> String {
+        let words = self.hazard.words();
+        match self.fault_distance_km {
+            None => words,
+            Some(km) if km >= FAR_KM => {
+                format!("{words}, no fault within {} km", number(FAR_KM, 3))
+            }
+            Some(km) => format!("{words}, a fault {} km away", number(km, 3)),
+        }
+    }
+
+    /// The source of its values, how far away they are, and how far they can be trusted.
+    pub fn provenance(&self) -> String {
+        let away = match (self.distance_km, self.hazard) {
+            (None, _) => String::new(),
+            (Some(km), PlaceHazard::Ntc2018 { .. }) => {
+                format!(", nearest node {} km away", number(km, 2))
+            }
+            (Some(km), _) => format!(", {} km away", number(km, 2)),
+        };
+        let confidence = match self.confidence {
+            Confidence::Approximate => "approximate, confirm it",
+            other => other.name(),
+        };
+        format!("{}: {confidence}{away}", self.source)
+    }
+
     /// What the reader must know about its values.
     pub fn doubt(&self) -> Option<String> {
-        let has_shape = !matches!(self.hazard, PlaceHazard::Eurocode8 { annex: None, .. });
-        (self.confidence == Confidence::Approximate).then(|| {
-            let shape = if has_shape {
-                ""
-            } else {
-                ", and the shape of its spectrum is the one that EN 1998-1 recommends, because the national annex was \
-                 not read"
-            };
-            format!(
-                "the hazard of {} ({}) is approximate{shape}: confirm it in the national annex before you rely on it",
-                self.name,
-                self.hazard.words()
-            )
-        })
+        let (name, words) = (&self.name, self.words());
+        let is_approximate = self.confidence == Confidence::Approximate;
+        let approximate = format!("the hazard of {name} ({words}) is approximate");
+        match self.hazard {
+            PlaceHazard::Shape { by, .. } => {
+                let shape = format!(
+                    "the spectrum of {name} has the shape of Eurocode 8, type 1, because that of {by} is not in the program"
+                );
+                Some(if is_approximate {
+                    format!("{approximate}: confirm it before you rely on it; {shape}")
+                } else {
+                    shape
+                })
+            }
+            PlaceHazard::Eurocode8 { annex: None, .. } if is_approximate => Some(format!(
+                "{approximate}, and the shape of its spectrum is the one that EN 1998-1 recommends, because the national \
+                 annex was not read: confirm it in the national annex before you rely on it"
+            )),
+            _ => is_approximate.then(|| {
+                format!("{approximate}: confirm it in the national annex before you rely on it")
+            }),
+        }
     }
 }
 
 answer_of!(Place as place {
-    name: &'static str;
-    /// The state, in the United States.
+    name: String = place.name.to_string();
+    /// The state, in the United States; elsewhere what tells places of one name apart.
     region: Option<&'static str> = Some(place.region).filter(|region| !region.is_empty());
     country: &'static str;
     code: &'static str = place.hazard.code();
-    ss_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { ss_g, .. } => Some(ss_g), _ => None };
-    s1_g: Option<f64> = match place.hazard { PlaceHazard::Asce7 { s1_g, .. } => Some(s1_g), _ => None };
-    hazard_factor: Option<f64> = match place.hazard {
-        PlaceHazard::As1170_4 { hazard_factor } | PlaceHazard::Nzs1170_5 { hazard_factor, .. } => Some(hazard_factor),
+    ss_g: Option<f64> = match place.hazard {
+        PlaceHazard::Asce7 { ss_g, .. } | PlaceHazard::Tbdy2018 { ss_g: [ss_g, _], .. } => Some(ss_g),
         _ => None,
     };
+    s1_g: Option<f64> = match place.hazard {
+        PlaceHazard::Asce7 { s1_g, .. } | PlaceHazard::Tbdy2018 { s1_g: [s1_g, _], .. } => Some(s1_g),
+        _ => None,
+    };
+    hazard_factor: Option<f64> = match place.hazard {
+        PlaceHazard::As1170_4 { hazard_factor } | PlaceHazard::Nzs1170_5 { hazard_factor } => Some(hazard_factor),
+        _ => None,
+    };
+    /// On rock, or on the soil where `code` has no value on rock.
     ground_acceleration_g: Option<f64> = match place.hazard {
         PlaceHazard::Eurocode8 { ground_acceleration_g, .. } => Some(ground_acceleration_g),
+        PlaceHazard::Shape { acceleration_g, .. } => Some(acceleration_g),
+        PlaceHazard::Ntc2018 { at } => ntc_hazard(at, NTC_DEFAULT_YEARS).map(|found| found.ag_g),
         _ => None,
     };
     type2_ground_acceleration_g: Option<f64> = match place.hazard {
@@ -335,129 +472,20 @@ answer_of!(Place as place {
         PlaceHazard::Eurocode8 { annex, .. } => annex.map(NationalAnnex::name),
         _ => None,
     };
-    return_period_years: Option<u64> = place.hazard.return_period_years().map(u64::from);
-    fault_distance_km: Option<f64> = match place.hazard {
-        PlaceHazard::Nzs1170_5 { fault_distance_km, .. } => Some(fault_distance_km),
-        _ => None,
+    /// Of the values above, where it is known.
+    return_period_years: Option<u64> = match place.hazard {
+        PlaceHazard::Ntc2018 { .. } | PlaceHazard::Tbdy2018 { .. } => Some(u64::from(NTC_DEFAULT_YEARS)),
+        other => other.return_period_years().map(u64::from),
     };
+    fault_distance_km: Option<f64>;
+    latitude_deg: Option<f64> = place.coordinates.map(|at| at.latitude_deg);
+    longitude_deg: Option<f64> = place.coordinates.map(|at| at.longitude_deg);
+    /// From the coordinates that were asked for to the place, or to the nearest node of the grid.
+    distance_km: Option<f64>;
     source: &'static str;
     /// How far the values can be trusted.
     confidence: &'static str = place.confidence.name();
 });
 
-/// Up to three places that a misspelt name may mean, the nearest first: at most a third of the
-/// letters differ, or the name begins with what was written.
-///
-/// # Example
-/// ```
-/// use freestand_study::places::near;
-/// assert_eq!(near("Melborne"), ["Melbourne"]);
-/// assert_eq!(near("san f"), ["San Francisco"]);
-/// ```
-pub fn near(name: &str) -> Vec<&'static str> {
-    let wanted = canonical(name);
-    let length = wanted.chars().count();
-    let mut found: Vec<(usize, &'static str)> = Vec::new();
-    for place in places() {
-        let distance = place.names().filter_map(|name| {
-            let name = canonical(name);
-            let distance = strsim::levenshtein(&wanted, &name);
-            let is_near = 3 * distance <= length.max(name.chars().count());
-            (is_near || length >= 3 && name.starts_with(&wanted)).then_some(distance)
-        });
-        found.extend(distance.min().map(|distance| (distance, place.name)));
-    }
-    found.sort_by_key(|(distance, _)| *distance);
-    found.into_iter().take(3).map(|(_, name)| name).collect()
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_row_is_read_and_found_by_each_of_its_names() {
-        assert_eq!(places().len(), rows().count());
-        for place in places() {
-            for name in place.names() {
-                assert_eq!(
-                    Place::find(name).map(|found| found.name),
-                    Some(place.name),
-                    "{name}"
-                );
-            }
-            assert!(
-                !place.country.is_empty() && !place.source.is_empty(),
-                "{place:?}"
-            );
-            // No code has a larger value than Macquarie Island's 0.6 or Santa Rosa's 2.26 g.
-            let values = match place.hazard {
-                PlaceHazard::Asce7 { ss_g, s1_g } => {
-                    assert!(ss_g > s1_g, "{place:?}");
-                    [ss_g / 3.0, s1_g]
-                }
-                PlaceHazard::As1170_4 { hazard_factor: one }
-                | PlaceHazard::Nzs1170_5 {
-                    hazard_factor: one, ..
-                }
-                | PlaceHazard::Eurocode8 {
-                    ground_acceleration_g: one,
-                    ..
-                } => [one, one],
-            };
-            assert!(
-                values.into_iter().all(|value| value > 0.0 && value < 0.9),
-                "{place:?}"
-            );
-        }
-        let by_code = |code: &str| {
-            places()
-                .iter()
-                .filter(|place| place.hazard.code() == code)
-                .count()
-        };
-        assert_eq!(
-            ["as1170.4", "asce7", "nzs1170.5", "eurocode8"].map(by_code),
-            [42, 23, 13, 21]
-        );
-    }
-
-    #[test]
-    fn names_as_people_write_them() {
-        for (written, name) in [
-            ("melbourne", "Melbourne"),
-            (" port HEDLAND ", "Port Hedland"),
-            ("st louis", "St. Louis"),
-            ("Saint Louis, MO", "St. Louis"),
-            ("Charleston, SC", "Charleston"),
-            ("L’Aquila", "L'Aquila"),
-            ("Bâle", "Basel"),
-            ("Taupō", "Taupo"),
-            ("Kaiko\u{304}ura", "Kaikoura"),
-            ("Wellington, New Zealand", "Wellington"),
-            ("NYC", "New York"),
-        ] {
-            assert_eq!(
-                Place::find(written).map(|place| place.name),
-                Some(name),
-                "{written}"
-            );
-        }
-        for written in [
-            "",
-            "Charleston, WV",
-            "Melbourne, FL",
-            "Wellingtonia",
-            "Athens, Greece, Europe",
-        ] {
-            assert_eq!(Place::find(written), None, "{written}");
-        }
-    }
-
-    #[test]
-    fn misspelt_names() {
-        assert_eq!(near("Welington"), ["Wellington"]);
-        assert_eq!(near("los angelos"), ["Los Angeles"]);
-        assert!(near("qqqqq").is_empty() && near("").is_empty());
-    }
-}
+mod tests;

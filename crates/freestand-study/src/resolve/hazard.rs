@@ -2,9 +2,8 @@
 
 use super::{Overrides, Resolver};
 use crate::options::{GroundOptions, TARGET_KEYS};
-use crate::places::Place;
 use crate::rerun::with_hazard;
-use crate::target::code_name;
+use crate::target::{code_name, place_of};
 
 impl Resolver<'_> {
     /// Puts the hazard of `overrides` into the options, and returns the text of the study with it.
@@ -33,7 +32,7 @@ impl Resolver<'_> {
             );
             return text.to_owned();
         }
-        let stays = |key: &str| match hazard.get("place").and_then(Place::find) {
+        let stays = |key: &str| match place_of(hazard) {
             None if hazard.get("place").is_some() => false,
             None => !keys.contains(&key),
             Some(_) if keys.contains(&key) => false,

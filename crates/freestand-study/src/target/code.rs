@@ -6,11 +6,14 @@ use freestand_input::word_reader::WordReader;
 
 /// The codes by the names that people give them, in lower case and without spaces, `-` and `_`.
 /// Outputs use the first.
-pub(super) const CODES: [(&[&str], Code); 5] = [
+pub(super) const CODES: [(&[&str], Code); 8] = [
     (&["as1170.4", "as1170"], Code::As1170_4),
     (&["eurocode8", "ec8", "en1998", "en19981"], Code::Eurocode8),
     (&["asce7", "asce"], Code::Asce7),
     (&["nzs1170.5", "nzs1170"], Code::Nzs1170_5),
+    (&["ntc2018", "ntc"], Code::Ntc2018),
+    (&["tbdy2018", "tbdy"], Code::Tbdy2018),
+    (&["ts1170.5"], Code::Ts1170_5),
     (&["table"], Code::Table),
 ];
 
@@ -20,6 +23,9 @@ pub(super) enum Code {
     Eurocode8,
     Asce7,
     Nzs1170_5,
+    Ntc2018,
+    Tbdy2018,
+    Ts1170_5,
     Table,
 }
 
@@ -42,6 +48,9 @@ impl Code {
             CodeSpectrum::Eurocode8(_) => Self::Eurocode8,
             CodeSpectrum::Asce7(_) => Self::Asce7,
             CodeSpectrum::Nzs1170_5(_) => Self::Nzs1170_5,
+            CodeSpectrum::Ntc2018(_) => Self::Ntc2018,
+            CodeSpectrum::Tbdy2018(_) => Self::Tbdy2018,
+            CodeSpectrum::Ts1170_5(_) => Self::Ts1170_5,
             CodeSpectrum::Table(_) => Self::Table,
         }
     }
@@ -60,8 +69,16 @@ impl Code {
             Self::Eurocode8 => "Eurocode 8",
             Self::Asce7 => "ASCE 7",
             Self::Nzs1170_5 => "NZS 1170.5",
+            Self::Ntc2018 => "NTC 2018",
+            Self::Tbdy2018 => "TBDY 2018",
+            Self::Ts1170_5 => "TS 1170.5",
             Self::Table => "a user's table",
         }
+    }
+
+    /// Whether the program has its clauses for parts.
+    pub(super) fn has_parts(self) -> bool {
+        !matches!(self, Self::Tbdy2018 | Self::Ts1170_5 | Self::Table)
     }
 
     /// The keys that it takes, in addition to `code`.
@@ -72,6 +89,8 @@ impl Code {
                 "site",
                 "place",
                 "city",
+                "latitude",
+                "longitude",
                 "hazard_factor",
                 "return_period_years",
             ],
@@ -80,6 +99,8 @@ impl Code {
                 "site",
                 "place",
                 "city",
+                "latitude",
+                "longitude",
                 "spectrum_type",
                 "ground_acceleration",
                 "importance_factor",
@@ -91,6 +112,8 @@ impl Code {
                 "site",
                 "place",
                 "city",
+                "latitude",
+                "longitude",
                 "sds",
                 "sd1",
                 "ss",
@@ -104,9 +127,38 @@ impl Code {
                 "site",
                 "place",
                 "city",
+                "latitude",
+                "longitude",
                 "hazard_factor",
                 "return_period_years",
                 "fault_distance",
+            ],
+            Self::Ntc2018 => &[
+                "site",
+                "place",
+                "city",
+                "latitude",
+                "longitude",
+                "return_period_years",
+                "topography",
+            ],
+            Self::Tbdy2018 => &[
+                "site",
+                "place",
+                "city",
+                "latitude",
+                "longitude",
+                "return_period_years",
+                "ss",
+                "s1",
+            ],
+            Self::Ts1170_5 => &[
+                "site",
+                "place",
+                "city",
+                "latitude",
+                "longitude",
+                "return_period_years",
             ],
             Self::Table => &["spectrum", "interpolation", "beyond"],
         }

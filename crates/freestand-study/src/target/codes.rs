@@ -9,7 +9,8 @@ use freestand::code_spectrum::{
 
 use super::Target;
 use super::code::{Code, missing, needed};
-use crate::places::{Confidence, FAR_KM, Place, PlaceHazard};
+use super::named::named_place;
+use crate::places::{FAR_KM, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
@@ -31,33 +32,27 @@ const DEFAULT_LONG_PERIOD_S: f64 = 8.0;
 pub(super) const DEFAULT_LONG_PERIOD_WORDS: &str = "8 s";
 
 /// A fact of a report.
-fn fact(name: &str, value: impl Into<String>) -> (String, String) {
+pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
     (name.to_owned(), value.into())
 }
 
 /// A target with the place that gave its hazard, what is said about it first.
-fn at(place: Option<&'static Place>, mut target: Target) -> Target {
+pub(super) fn at(place: Option<&Place>, mut target: Target) -> Target {
     let Some(place) = place else { return target };
-    let source = match place.confidence {
-        Confidence::Read => place.source.to_owned(),
-        Confidence::Approximate => format!("{}: approximate, confirm it", place.source),
-    };
-    let facts = [fact("Place", place.name), fact("Hazard from", source)];
+    let facts = [
+        fact("Place", place.name.as_ref()),
+        fact("Hazard from", place.provenance()),
+    ];
     // The first fact is the code.
     target.facts.splice(1..1, facts);
     target.warnings.extend(place.doubt());
-    target.place = Some(place);
+    target.place = Some(place.clone());
     target
 }
 
-/// The key that names the place: `city` is another name of `place`.
-pub(super) fn place_key(reader: &WordReader) -> Option<&'static str> {
-    ["place", "city"].into_iter().find(|key| reader.has(key))
-}
-
 /// Notes keys that state the hazard although the place does.
-fn refuse_beside_place(reader: &mut WordReader, keys: &[&'static str]) {
-    let Some(place) = place_key(reader) else {
+pub(super) fn refuse_beside_place(reader: &mut WordReader, keys: &[&'static str]) {
+    let Some((place, _)) = named_place(reader.words) else {
         return;
     };
     for key in keys
@@ -75,7 +70,7 @@ fn refuse_beside_place(reader: &mut WordReader, keys: &[&'static str]) {
 }
 
 /// A target without a file.
-fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
+pub(super) fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     let mut all = vec![fact(
         "Target",
         format!("{}, elastic, 5 % damping", spectrum.name()),
@@ -101,11 +96,11 @@ fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Target {
     }
 }
 
-fn in_g(value_g: f64) -> String {
+pub(super) fn in_g(value_g: f64) -> String {
     format!("{} g", number(value_g, 4))
 }
 
-pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
+pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&Place>) -> Option<Target> {
     let editions = [
         ("2007", Edition::As1170_4Ed2007Amd2),
         ("2024", Edition::As1170_4Ed2024Unconfirmed),
@@ -119,13 +114,10 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
     let given = reader.positive("hazard_factor", Dimension::Ratio);
     // Melbourne where nothing is stated.
     let place_is_assumed = place.is_none() && !reader.has("hazard_factor");
-    let place = place.or_else(|| {
-        if reader.has("hazard_factor") {
-            None
-        } else {
-            Place::find(DEFAULT_CITY)
-        }
-    });
+    let assumed = place_is_assumed
+        .then(|| Place::find(DEFAULT_CITY))
+        .flatten();
+    let place = place.or(assumed.as_ref());
     let hazard = match place.map(|place| place.hazard) {
         Some(PlaceHazard::As1170_4 { hazard_factor }) => Some(hazard_factor),
         _ => given,
@@ -140,6 +132,7 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&'static Place>) -
     };
     let years = return_period(
         reader,
+        DEFAULT_YEARS,
         |years| probability_factor(years).map(|_| ()),
         "see Tables 3.1 and 3.2 of AS 1170.4",
     );
@@ -199,7 +192,7 @@ fn edition<T: Copy>(reader: &mut WordReader, known: &[(&str, T)], expected: &str
     found.map(|(_, edition)| *edition)
 }
 
-fn site_class<T>(
+pub(super) fn site_class<T>(
     reader: &mut WordReader,
     text: &str,
     parse: impl Fn(&str) -> Result<T, CodeSpectrumError>,
@@ -212,6 +205,9 @@ fn site_class<T>(
             Code::Eurocode8 => "a ground type of Eurocode 8",
             Code::Nzs1170_5 => "a class of NZS 1170.5",
             Code::Asce7 => "a class of ASCE 7",
+            Code::Ntc2018 => "a ground of NTC 2018",
+            Code::Tbdy2018 => "a class of TBDY 2018",
+            Code::Ts1170_5 => "a class of TS 1170.5",
             _ => "a class of AS 1170.4",
         };
         reader.note(
@@ -223,14 +219,15 @@ fn site_class<T>(
     found
 }
 
-fn return_period(
+pub(super) fn return_period(
     reader: &mut WordReader,
+    default: u32,
     known: impl Fn(u32) -> Result<(), CodeSpectrumError>,
     hint: &str,
 ) -> Option<u32> {
     let key = "return_period_years";
     if !reader.has(key) {
-        return Some(DEFAULT_YEARS);
+        return Some(default);
     }
     let years = reader.whole(key)?;
     match known(years) {
@@ -243,7 +240,7 @@ fn return_period(
 }
 
 /// Notes values that the core refuses in combination although each alone is valid.
-fn made<T>(
+pub(super) fn made<T>(
     reader: &mut WordReader,
     keys: &[&'static str],
     result: Result<T, CodeSpectrumError>,
@@ -259,21 +256,25 @@ fn made<T>(
         .ok()
 }
 
-pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
+pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Option<Target> {
     const CODE: Code = Code::Eurocode8;
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
     refuse_beside_place(reader, &["ground_acceleration"]);
-    let (of_place, of_type_2, annex) = match place.map(|place| place.hazard) {
+    let hazard = place.map(|place| place.hazard);
+    let (of_place, of_type_2, annex, only_type) = match hazard {
         Some(PlaceHazard::Eurocode8 {
             ground_acceleration_g,
             type2_ground_acceleration_g,
             annex,
+            only_type,
         }) => (
             Some(ground_acceleration_g),
             type2_ground_acceleration_g,
             annex,
+            only_type,
         ),
-        _ => (None, None, None),
+        Some(PlaceHazard::Shape { acceleration_g, .. }) => (Some(acceleration_g), None, None, None),
+        _ => (None, None, None, None),
     };
     let stated_g = match of_place {
         Some(_) => None,
@@ -292,13 +293,22 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     };
     let types = [("1", SpectrumType::Type1), ("2", SpectrumType::Type2)];
     let spectrum_type = match (reader.has("spectrum_type"), place) {
-        (false, Some(_)) => Some(SpectrumType::Type1),
+        (false, Some(_)) => Some(only_type.unwrap_or(SpectrumType::Type1)),
         (false, None) => {
             missing(reader, "spectrum_type", CODE, "1");
             None
         }
         (true, _) => reader.one_of("spectrum_type", &types),
     };
+    if let (Some(only), Some(asked)) = (only_type, spectrum_type)
+        && only != asked
+    {
+        let message = format!(
+            "the national annex has type {} alone for this place",
+            only.number()
+        );
+        reader.note(&["spectrum_type"], message, "leave `spectrum_type` out");
+    }
     let own_of_type_2 = of_type_2.filter(|_| spectrum_type == Some(SpectrumType::Type2));
     let acceleration_g = own_of_type_2.or(of_place).or(stated_g);
     let soil_factor = reader.positive("soil_factor", Dimension::Ratio);
@@ -323,6 +333,23 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     }
     let (spectrum_type, acceleration_g, importance) =
         (spectrum_type?, acceleration_g?, importance?);
+    let is_shape = matches!(hazard, Some(PlaceHazard::Shape { .. }));
+    let (soil_factor, corners) = match hazard {
+        Some(PlaceHazard::Shape {
+            is_on_site,
+            corner_period_s,
+            ..
+        }) => {
+            let of_type =
+                SpectrumShape::recommended(spectrum_type, ground.unwrap_or(DEFAULT_GROUND));
+            // A value on the soil has its amplification in it.
+            let soil_factor = soil_factor.or(is_on_site.then_some(1.0));
+            let corners = corners
+                .or(corner_period_s.map(|tc_s| [of_type.tb_s, tc_s, of_type.td_s.max(tc_s)]));
+            (soil_factor, corners)
+        }
+        _ => (soil_factor, corners),
+    };
     // Values that the user states take the place of a shape of the annex.
     let annex = annex.filter(|_| soil_factor.is_none() && corners.is_none());
     let of_annex = annex.zip(ground).map(|(annex, ground)| {
@@ -377,6 +404,15 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
     target
         .facts
         .extend(annex.map(|annex| fact("National annex", annex.name())));
+    if let Some(PlaceHazard::Shape {
+        return_period_years: Some(years),
+        ..
+    }) = hazard
+    {
+        target
+            .facts
+            .push(fact("Return period", format!("{years} years")));
+    }
     if let Some(other) = alternative {
         let [one, two] = [&code, &other].map(|code| {
             let a_g = in_g(code.reference_acceleration_g());
@@ -392,7 +428,7 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&'static Place>) 
         ));
         target.alternative = Some(other.into());
     }
-    if !code.is_recommended() && annex.is_none() {
+    if !code.is_recommended() && annex.is_none() && !is_shape {
         target.warnings.push(
             "the soil factor or the corner periods differ from those that EN 1998-1 recommends: check them against \
              the national annex"
@@ -492,7 +528,7 @@ fn eurocode8_shape(
     })
 }
 
-pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
+pub(super) fn asce7(reader: &mut WordReader, place: Option<&Place>) -> Option<Target> {
     const CODE: Code = Code::Asce7;
     // The values of places are those of 2016.
     let known = [
@@ -530,7 +566,7 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&'static Place>) -> O
     let code = if is_mapped {
         let (ss, s1) = match place.map(|place| place.hazard) {
             Some(PlaceHazard::Asce7 { ss_g, s1_g }) => (Some(ss_g), Some(s1_g)),
-            _ => ["ss", "s1"].map(|key| mapped(reader, key)).into(),
+            _ => ["ss", "s1"].map(|key| mapped(reader, key, CODE)).into(),
         };
         let found = coefficients(reader, ss, s1, place.is_some());
         let (
@@ -608,9 +644,9 @@ fn parts_edition_in_force(place: &Place) -> Option<Asce7Edition> {
 }
 
 /// A mapped acceleration \[g\].
-fn mapped(reader: &mut WordReader, key: &'static str) -> Option<f64> {
+pub(super) fn mapped(reader: &mut WordReader, key: &'static str, code: Code) -> Option<f64> {
     let example = if key == "ss" { "1.5 g" } else { "0.6 g" };
-    needed(reader, key, Dimension::Acceleration, Code::Asce7, example).map(|value| value / G0_M_S2)
+    needed(reader, key, Dimension::Acceleration, code, example).map(|value| value / G0_M_S2)
 }
 
 /// The site coefficients of ASCE 7, and where they are from.
@@ -679,12 +715,12 @@ fn coefficients(
     }
 }
 
-pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) -> Option<Target> {
+pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&Place>) -> Option<Target> {
     const CODE: Code = Code::Nzs1170_5;
     edition(reader, &[("2004", ())], "2004");
     refuse_beside_place(reader, &["hazard_factor"]);
     let hazard = match place.map(|place| place.hazard) {
-        Some(PlaceHazard::Nzs1170_5 { hazard_factor, .. }) => Some(hazard_factor),
+        Some(PlaceHazard::Nzs1170_5 { hazard_factor }) => Some(hazard_factor),
         _ => needed(reader, "hazard_factor", Dimension::Ratio, CODE, "0.40"),
     };
     let site = match reader.words.get("site") {
@@ -701,17 +737,13 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&'static Place>) 
     };
     let years = return_period(
         reader,
+        DEFAULT_YEARS,
         |years| return_period_factor(years).map(|_| ()),
         "see Table 3.5 of NZS 1170.5",
     );
-    let distance_km = match place.map(|place| place.hazard) {
-        _ if reader.has("fault_distance") => {
-            Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3)
-        }
-        Some(PlaceHazard::Nzs1170_5 {
-            fault_distance_km, ..
-        }) => Some(fault_distance_km),
-        _ => None,
+    let distance_km = match reader.has("fault_distance") {
+        true => Some(reader.non_negative("fault_distance", Dimension::Length)? / 1e3),
+        false => place.and_then(|place| place.fault_distance_km),
     };
     let code = Nzs1170_5::new(site?, hazard?, years?, distance_km);
     let code = made(reader, &["hazard_factor", "fault_distance"], code)?;

@@ -2,6 +2,8 @@
 
 mod code;
 mod codes;
+mod countries;
+mod named;
 mod parts;
 mod spectrum;
 mod table;
@@ -17,6 +19,7 @@ use freestand::synthesis;
 
 use code::Code;
 pub use codes::DEFAULT_YEARS;
+pub(crate) use named::place_of;
 pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
     usual_periods_s,
@@ -38,7 +41,7 @@ pub struct Target {
     /// The spectrum, 5 % damping.
     pub spectrum: CodeSpectrum,
     /// The place whose hazard was used.
-    pub place: Option<&'static Place>,
+    pub place: Option<Place>,
     /// Whether nobody stated that place, nor a hazard in another way.
     pub place_is_assumed: bool,
     /// Its description and the sources of its numbers, for reports: name and value.
@@ -123,7 +126,7 @@ impl Target {
 
     /// The name of the place whose hazard was used.
     pub fn place_name(&self) -> Option<String> {
-        self.place.map(|place| place.name.to_owned())
+        self.place.as_ref().map(|place| place.name.to_string())
     }
 
     /// Hazard factor Z, if the code has one \[g\].
@@ -232,6 +235,38 @@ impl Target {
                     number(code.zr_g(), 4)
                 )
             }
+            CodeSpectrum::Ntc2018(code) => {
+                let hazard = code.hazard();
+                format!(
+                    "ground {}, {}, ag = {} g{place}, F0 = {}, Tc* = {} s, {} years",
+                    code.ground().name(),
+                    code.topography().name(),
+                    number(hazard.ag_g, 4),
+                    number(hazard.f0_ratio, 4),
+                    number(hazard.tc_star_s, 3),
+                    code.return_period_years()
+                )
+            }
+            CodeSpectrum::Tbdy2018(code) => {
+                let [ss, s1] = code.mapped_g().map(|value| number(value, 4));
+                let years = code
+                    .return_period_years()
+                    .map_or_else(String::new, |years| format!(", {years} years"));
+                format!(
+                    "site {}, Ss = {ss} g, S1 = {s1} g{place}{years}",
+                    code.site().name()
+                )
+            }
+            CodeSpectrum::Ts1170_5(code) => {
+                let values = code.values();
+                format!(
+                    "site {}, PGA = {} g, Sa,s = {} g{place}, {} years",
+                    code.site().name(),
+                    number(values.pga_g, 4),
+                    number(values.sas_g, 4),
+                    code.return_period_years()
+                )
+            }
             CodeSpectrum::Table(table) => format!(
                 "{}, {} periods from {} s to {} s",
                 self.file_name(),
@@ -244,18 +279,12 @@ impl Target {
 
     /// ` (Melbourne)`, ` (Athens, approximate)`; empty without a place.
     fn place_in_brackets(&self) -> String {
-        match self.place {
+        match &self.place {
             None => String::new(),
-            Some(Place {
-                name,
-                confidence: Confidence::Read,
-                ..
-            }) => format!(" ({name})"),
-            Some(Place {
-                name,
-                confidence: Confidence::Approximate,
-                ..
-            }) => format!(" ({name}, approximate)"),
+            Some(place) if place.confidence == Confidence::Approximate => {
+                format!(" ({}, approximate)", place.name)
+            }
+            Some(place) => format!(" ({})", place.name),
         }
     }
 
@@ -285,7 +314,11 @@ impl Target {
             CodeSpectrum::Table(_) => {
                 format!("an earthquake with the spectrum {}", self.file_name())
             }
-            CodeSpectrum::Eurocode8(_) | CodeSpectrum::Asce7(_) => match self.place_name() {
+            CodeSpectrum::Eurocode8(_)
+            | CodeSpectrum::Asce7(_)
+            | CodeSpectrum::Ntc2018(_)
+            | CodeSpectrum::Tbdy2018(_)
+            | CodeSpectrum::Ts1170_5(_) => match self.place_name() {
                 Some(place) => format!(
                     "an earthquake by {}: {place}, {}",
                     self.spectrum.name(),
@@ -303,7 +336,9 @@ impl Target {
     /// The site that the plateau of the spectrum belongs to: `site class De`.
     pub fn site_words(&self) -> String {
         match (&self.spectrum, self.spectrum.site_name()) {
-            (CodeSpectrum::Eurocode8(_), Some(ground)) => format!("ground type {ground}"),
+            (CodeSpectrum::Eurocode8(_) | CodeSpectrum::Ntc2018(_), Some(ground)) => {
+                format!("ground type {ground}")
+            }
             (_, Some(class)) => format!("site class {class}"),
             (CodeSpectrum::Table(_), None) => "this table (its largest value)".to_owned(),
             (_, None) => "this spectrum".to_owned(),
@@ -374,7 +409,7 @@ answer_of!(Target as target {
     /// The class of the site.
     site: Option<&'static str> = target.spectrum.site_name();
     /// The place whose hazard was used.
-    place: Option<&'static Place>;
+    place: Option<&Place> = target.place.as_ref();
     hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
     /// Whether the minimum of kpZ governs, by AS 1170.4.
     minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);

@@ -9,6 +9,7 @@ use freestand_input::words::number;
 use super::Target;
 use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
+use super::named::named_place;
 use super::words::{self, Remedies};
 use crate::places::Place;
 
@@ -33,7 +34,7 @@ impl Target {
     /// ```
     pub fn for_parts(words: &Words) -> Result<Self, Problems> {
         let has = |key: &str| words.get(key).is_some();
-        let has_place = has("place") || has("city");
+        let has_place = named_place(words).is_some();
         if !has("code") && !has_place {
             return Err(nameless(words).into());
         }
@@ -41,8 +42,20 @@ impl Target {
         if let (Some(text), None) = (words.get("code"), code) {
             // A table is no code for parts.
             let codes = CODES.iter().map(|(_, code)| *code);
-            let known = codes.filter(|code| *code != Code::Table);
+            let known = codes.filter(|code| code.has_parts());
             return Err(words::unknown_code(text, known).into());
+        }
+        if let Some(code) = words::code_of(words)
+            && !code.has_parts()
+            && code != Code::Table
+        {
+            let message = format!(
+                "the clauses of {} for parts are not in the program",
+                code.title()
+            );
+            let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
+            let key = named_place(words).map_or("code", |(key, _)| key);
+            return Err(Problem::value(message, hint).of(&[key]).into());
         }
         if code == Some(Code::Table) {
             let hint = "name a code, such as `code = \"asce7\"`, or a place";
@@ -109,7 +122,12 @@ impl Target {
         Self {
             spectrum,
             alternative: None,
-            warnings: self.place.and_then(Place::doubt).into_iter().collect(),
+            warnings: self
+                .place
+                .as_ref()
+                .and_then(Place::doubt)
+                .into_iter()
+                .collect(),
             ..self
         }
     }
@@ -208,6 +226,10 @@ mod tests {
                 &[("code", "asce7"), ("place", "Wellington")],
                 "has values for NZS 1170.5, not for ASCE 7",
             ),
+            (
+                &[("place", "Istanbul")],
+                "the clauses of TBDY 2018 for parts are not in the program",
+            ),
             (&[("place", "Wellinton")], "is not in the table of places"),
             (
                 &[("place", "Wellington"), ("sds", "1 g")],
@@ -223,7 +245,7 @@ mod tests {
     fn only_codes_with_clauses_are_known() {
         let words = [("code", "asce8")].into_iter().collect();
         let problems = Target::for_parts(&words).unwrap_err().problems;
-        let hint = "known: as1170.4, eurocode8, asce7, nzs1170.5";
+        let hint = "known: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018";
         assert_eq!(problems[0].hint.as_deref(), Some(hint));
     }
 }

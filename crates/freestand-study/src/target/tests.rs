@@ -197,7 +197,8 @@ fn all_problems_are_told_at_once() {
         ]),
         [
             "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \
-             \"as1170.4\"` or `code = \"nzs1170.5\"`",
+             \"as1170.4\"` or `code = \"nzs1170.5\"` or `code = \"ntc2018\"` or `code = \"tbdy2018\"` or \
+             `code = \"ts1170.5\"`",
             "ASCE 7 needs `long_period` | give `long_period = \"8 s\"`",
             "`sds` must be positive, not \"-1 g\" | give an acceleration above 0",
             "ASCE 7 needs `sd1` | give `sd1 = \"0.6 g\"`",
@@ -205,7 +206,9 @@ fn all_problems_are_told_at_once() {
     );
     assert_eq!(
         problems(&[("code", "as1170.5")]),
-        ["`code` \"as1170.5\" is not known | known: as1170.4, eurocode8, asce7, nzs1170.5, table"]
+        [
+            "`code` \"as1170.5\" is not known | known: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5, table"
+        ]
     );
 }
 
@@ -457,6 +460,143 @@ fn a_place_brings_its_code_and_its_hazard() {
         own.parameters(),
         "SDS = 0.117 g, SD1 = 0.084 g (Chicago), TL = 8 s"
     );
+}
+
+/// By hand, at 0.2 s. Istanbul, ZD: F_S = 1.1004. Kaitaia, class III: S_a,s. Kathmandu: 2.5 · 0.35 · 1.2. Xichang: 2.5 · 0.4 g on
+/// the soil. Taipei: S_DS = 0.6 g, up to 1.6 s. Lorca, terrain II: S = 1.04 − 0.04 · 0.02/0.3, 2.5 · 0.12 · S.
+#[test]
+fn codes_and_shapes_of_other_countries() {
+    for (place, period_s, sa_g, line) in [
+        (
+            "Istanbul",
+            0.2,
+            0.999 * 1.1004,
+            "site ZD, Ss = 0.999 g, S1 = 0.276 g (Istanbul), 475 years",
+        ),
+        (
+            "Kaitaia",
+            0.2,
+            0.38,
+            "site III, PGA = 0.18 g, Sa,s = 0.38 g (Kaitaia), 500 years",
+        ),
+        (
+            "Kathmandu",
+            0.2,
+            1.05,
+            "type 1, ground B, a_g = 0.35 g (Kathmandu, approximate)",
+        ),
+        (
+            "Xichang",
+            0.2,
+            1.0,
+            "type 1, ground B, a_g = 0.4 g (Xichang, approximate)",
+        ),
+        (
+            "Taipei",
+            1.6,
+            0.6,
+            "type 1, ground B, a_g = 0.24 g (Taipei, approximate)",
+        ),
+        (
+            "Lorca",
+            0.2,
+            2.5 * 0.12 * (1.04 - 0.04 * 0.02 / 0.3),
+            "type 1, ground B, a_g = 0.12 g (Lorca)",
+        ),
+    ] {
+        let target = target(&[("place", place)]);
+        assert!(
+            (target.spectrum.sa_g(period_s) - sa_g).abs() < 1e-12,
+            "{place}"
+        );
+        assert_eq!(target.parameters(), line);
+    }
+    let said = |place: &str| target(&[("place", place)]).warnings.join("; ");
+    assert!(said("Istanbul").is_empty() && said("Kaitaia").is_empty() && said("Lorca").is_empty());
+    assert!(said("Quito").contains("the shape of Eurocode 8, type 1"));
+    assert!(said("Kathmandu").contains("is approximate"));
+    let rare = target(&[("place", "Istanbul"), ("return_period_years", "2475")]);
+    assert!((rare.spectrum.plateau_g() - 1.747).abs() < 1e-12);
+    let azores = target(&[("place", "Ponta Delgada")]);
+    assert_eq!(
+        (azores.spectrum_type(), azores.other_type()),
+        (Some(2), None)
+    );
+    let faro = target(&[("place", "Faro")]);
+    assert_eq!(
+        (faro.spectrum_type(), faro.other_type()),
+        (Some(1), Some(2))
+    );
+    let refused = problems(&[("place", "Ponta Delgada"), ("spectrum_type", "1")]);
+    assert!(refused[0].contains("type 2 alone"), "{refused:?}");
+}
+
+/// A point of Italy, in both ways in which a study says it, and what is said of it.
+#[test]
+fn coordinates_bring_the_hazard_of_a_grid() {
+    let named = target(&[
+        ("place", "42.3498, 13.3995"),
+        ("site", "C"),
+        ("topography", "T2"),
+    ]);
+    let stated = target(&[
+        ("latitude", "42.3498"),
+        ("longitude", "13.3995"),
+        ("site", "C"),
+        ("topography", "T2"),
+    ]);
+    assert_eq!(named, stated);
+    assert_eq!(named.code(), "ntc2018");
+    let from = &named
+        .facts
+        .iter()
+        .find(|(name, _)| name == "Hazard from")
+        .unwrap()
+        .1;
+    assert!(from.contains("read, interpolated, nearest node "), "{from}");
+    assert!(
+        named.parameters().contains("ground C, T2, ag = 0.26"),
+        "{}",
+        named.parameters()
+    );
+    let rare = target(&[
+        ("place", "L'Aquila"),
+        ("code", "ntc2018"),
+        ("return_period_years", "975"),
+    ]);
+    assert!(
+        rare.spectrum.sa_g(0.0)
+            > target(&[("place", "L'Aquila"), ("code", "ntc2018")])
+                .spectrum
+                .sa_g(0.0)
+    );
+    for (pairs, word) in [
+        (&[("latitude", "42")][..], "needs `longitude`"),
+        (
+            &[("latitude", "42"), ("longitude", "13"), ("place", "Rome")],
+            "exclude each other",
+        ),
+        (&[("place", "95, 13")], "are no coordinates"),
+        (&[("place", "40, 31")], "no hazard is known at"),
+        (&[("place", "Mexico City")], "lake zone"),
+        (&[("place", "Lagoa")], "the name of 2 places"),
+        (
+            &[("place", "42.35, 13.4"), ("return_period_years", "20")],
+            "20 years",
+        ),
+        (
+            &[("place", "42.35, 13.4"), ("topography", "T5")],
+            "T1, T2, T3, T4",
+        ),
+        (&[("code", "ntc2018")], "needs `place`"),
+        (
+            &[("place", "Istanbul"), ("return_period_years", "500")],
+            "500 years",
+        ),
+    ] {
+        let got = problems(pairs);
+        assert!(got[0].contains(word), "{pairs:?} {got:?}");
+    }
 }
 
 /// By hand. Bucharest, 0.3 g, S = 1, T_C = 1.6 s: 0.75 g up to 1.6 s and 0.6 g at 2 s, where the recommended

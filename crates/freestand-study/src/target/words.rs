@@ -9,9 +9,9 @@ use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
 
 use super::code::{CODES, Code};
-use super::codes::place_key;
-use super::{Target, codes, table};
-use crate::places::{Place, near, places};
+use super::named::{found, named_place, place_of};
+use super::{Target, codes, countries, table};
+use crate::places::{NotFound, Place, places};
 
 /// What a person may write besides a place, and so what a remedy may name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,15 +29,18 @@ pub(super) fn resolve(
 ) -> Result<Target, Problems> {
     let mut reader = WordReader::new(words);
     let target = place(&mut reader, remedies)
-        .and_then(|place| Some((code(&mut reader, place)?, place)))
-        .and_then(|found| {
-            let (code, place) = found;
+        .and_then(|place| Some((code(&mut reader, place.as_ref())?, place)))
+        .and_then(|(code, place)| {
+            let place = place.as_ref();
             check_keys(&mut reader, code, remedies);
             match code {
                 Code::As1170_4 => codes::as1170_4(&mut reader, place),
                 Code::Eurocode8 => codes::eurocode8(&mut reader, place),
                 Code::Asce7 => codes::asce7(&mut reader, place),
                 Code::Nzs1170_5 => codes::nzs1170_5(&mut reader, place),
+                Code::Ntc2018 => countries::ntc2018(&mut reader, place),
+                Code::Tbdy2018 => countries::tbdy2018(&mut reader, place),
+                Code::Ts1170_5 => countries::ts1170_5(&mut reader, place),
                 Code::Table => table::table(&mut reader, base_dir),
             }
         });
@@ -46,7 +49,7 @@ pub(super) fn resolve(
 
 /// The place, if one is named; `None` after a problem with it that leaves the code open. A misspelt
 /// place is noted, and another of the code stands in for it so that the other words are checked.
-fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<&'static Place>> {
+fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
     if reader.has("place") && reader.has("city") {
         reader.note(
             &["place", "city"],
@@ -55,46 +58,43 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<&'static 
         );
         return None;
     }
-    let Some(key) = place_key(reader) else {
+    for (key, other) in [("latitude", "longitude"), ("longitude", "latitude")] {
+        reader.exclusive("place", key);
+        reader.exclusive("city", key);
+        if reader.has(key) && !reader.has(other) {
+            let message = format!("`{key}` needs `{other}`");
+            reader.missing(&[other, key], message, format!("give `{other}` in degrees"));
+            return None;
+        }
+    }
+    let Some((key, name)) = named_place(reader.words) else {
         return Some(None);
     };
-    let name = reader.words.get(key).unwrap_or_default();
-    if let Some(found) = Place::find(name) {
-        return Some(Some(found));
-    }
-    let near = near(name);
-    let code = match reader.words.get("code") {
-        Some(text) => Code::parse(text).map(Code::name),
-        None => near
+    let why = match found(reader.words, &name) {
+        Ok(found) => return Some(Some(found)),
+        Err(why) => why,
+    };
+    let bring = match remedies {
+        Remedies::PlaceAlone => "a study takes a hazard of your own",
+        Remedies::Codes => {
+            "give the hazard itself, such as `hazard_factor = \"0.08\"`, or a table as `spectrum`"
+        }
+    };
+    let code = match (reader.words.get("code"), &why) {
+        (Some(text), _) => Code::parse(text).map(Code::name),
+        (None, NotFound::Unknown(near) | NotFound::Several(near)) => near
             .first()
             .and_then(|name| Place::find(name))
             .map(|place| place.hazard.code()),
+        (None, _) => None,
     };
-    let hint = match near.as_slice() {
-        [] if remedies == Remedies::PlaceAlone => {
-            "freestand place list shows all places".to_owned()
-        }
-        [] => {
-            "freestand place list shows all places; for any other, give the hazard itself, such as \
-                 `hazard_factor = \"0.08\"`"
-                .to_owned()
-        }
-        names => {
-            let quoted: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
-            format!("did you mean {}?", quoted.join(" or "))
-        }
-    };
-    reader.note(
-        &[key],
-        format!(
-            "`{key}` \"{}\" is not in the table of places",
-            shorten(name)
-        ),
-        hint,
-    );
+    reader
+        .problems
+        .push(why.problem(Some(key), &name, bring).of(&[key]));
     places()
         .iter()
         .find(|place| Some(place.hazard.code()) == code)
+        .cloned()
         .map(Some)
 }
 
@@ -114,7 +114,7 @@ fn code(reader: &mut WordReader, place: Option<&Place>) -> Option<Code> {
         && found != of_place
         && found.keys().contains(&"place")
     {
-        let key = place_key(reader).unwrap_or("place");
+        let key = named_place(reader.words).map_or("place", |(key, _)| key);
         let (title, known) = (found.title(), of_place.title());
         let message = format!(
             "`{key}` \"{}\" has values for {known}, not for {title}",
@@ -141,21 +141,22 @@ pub(super) fn unknown_code(text: &str, known: impl Iterator<Item = Code>) -> Pro
     Problem::value(message, format!("known: {}", names.join(", "))).of(&["code"])
 }
 
-/// The name of the code that the words describe; AS 1170.4 where they name none. `None` for a code
-/// that is not known.
-pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
-    let place = || {
-        Some(
-            Place::find(words.get("place").or_else(|| words.get("city"))?)?
-                .hazard
-                .code(),
-        )
-    };
+/// The code that the words describe; AS 1170.4 where they name none. `None` for a code that is not
+/// known.
+pub(super) fn code_of(words: &Words) -> Option<Code> {
     match words.get("code") {
-        Some(text) => Code::parse(text).map(Code::name),
-        None if words.get("spectrum").is_some() => Some(Code::Table.name()),
-        None => place().or(Some(Code::As1170_4.name())),
+        Some(text) => Code::parse(text),
+        None if words.get("spectrum").is_some() => Some(Code::Table),
+        None => {
+            let of_place = place_of(words).and_then(|place| Code::parse(place.hazard.code()));
+            of_place.or(Some(Code::As1170_4))
+        }
     }
+}
+
+/// Its name.
+pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
+    code_of(words).map(Code::name)
 }
 
 /// The code of the periods of buildings of a study: that of its spectrum.
@@ -169,12 +170,9 @@ pub(super) fn period_code_named(name: &str) -> Option<PeriodCode> {
 
 /// The key that names a spectrum other than that of AS 1170.4, if any.
 pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
-    let is_elsewhere = |key: &&&str| {
-        let place = words.get(key).and_then(Place::find);
-        place.is_some_and(|place| Code::parse(place.hazard.code()) != Some(Code::As1170_4))
-    };
-    if let Some(key) = ["place", "city"].iter().find(is_elsewhere) {
-        return Some(key);
+    let is_elsewhere = |place: &Place| Code::parse(place.hazard.code()) != Some(Code::As1170_4);
+    if place_of(words).as_ref().is_some_and(is_elsewhere) {
+        return named_place(words).map(|(key, _)| key);
     }
     let has_other_code = words
         .get("code")

@@ -1,7 +1,9 @@
 //! Variations of a study, and the changes that they ask for.
 
 use freestand::building::Model;
-use freestand::code_spectrum::{CodeSpectrum, GroundType, SiteClass, SubsoilClass};
+use freestand::code_spectrum::{
+    CodeSpectrum, GroundType, SiteClass, SubsoilClass, TbdySite, TsSite,
+};
 
 use crate::options::Change;
 use crate::resolve::Overrides;
@@ -268,6 +270,9 @@ fn default_values(study: &Study, name: &str) -> Vec<String> {
                 CodeSpectrum::As1170_4(_) => SiteClass::ALL.map(SiteClass::name).to_vec(),
                 CodeSpectrum::Eurocode8(_) => GroundType::ALL.map(GroundType::name).to_vec(),
                 CodeSpectrum::Nzs1170_5(_) => SubsoilClass::ALL.map(SubsoilClass::name).to_vec(),
+                CodeSpectrum::Ntc2018(_) => GroundType::ALL.map(GroundType::name).to_vec(),
+                CodeSpectrum::Tbdy2018(_) => TbdySite::ALL.map(TbdySite::name).to_vec(),
+                CodeSpectrum::Ts1170_5(_) => TsSite::ALL.map(TsSite::name).to_vec(),
                 CodeSpectrum::Asce7(_) | CodeSpectrum::Table(_) => Vec::new(),
             };
             classes

@@ -15,6 +15,11 @@ pub enum NationalAnnex {
         /// T_C of the place \[s\].
         corner_period_s: f64,
     },
+    /// NCSE-02: no branch of constant displacement.
+    Spain {
+        /// K of the municipality.
+        contribution_ratio: f64,
+    },
 }
 
 impl NationalAnnex {
@@ -24,14 +29,16 @@ impl NationalAnnex {
             Self::France => "arrêté of 22 October 2010 (France, zones 1 to 4)",
             Self::Portugal => "NP EN 1998-1:2010 (Portugal)",
             Self::Romania { .. } => "P100-1/2013 (Romania)",
+            Self::Spain { .. } => "NCSE-02 (Spain)",
         }
     }
 
     /// Mean return period of its reference acceleration \[years\]: 20 % in 50 years in Romania, 10 % in
-    /// 50 years elsewhere.
+    /// 50 years elsewhere; 500 years in Spain.
     pub fn return_period_years(self) -> u32 {
         match self {
             Self::Romania { .. } => 225,
+            Self::Spain { .. } => 500,
             Self::France | Self::Portugal => 475,
         }
     }
@@ -48,7 +55,9 @@ impl NationalAnnex {
     /// spectrum, whatever the type. Portugal: NP EN 1998-1:2010, tables NA.I to NA.III (read in
     /// eurocodepy 2026.1.1, P. Cachim), S = S_max up to 1 m/s², 1 from 4 m/s², linear between.
     /// Romania: P100-1/2013, 3.1, T_B = 0.2 T_C, T_D = 2 s where T_C = 1.6 s and 3 s elsewhere
-    /// (quoted from memory), S = 1.
+    /// (quoted from memory), S = 1. Spain: NCSE-02, 2.2 to 2.4 (quoted from memory), with ρ = the importance factor: terrain
+    /// I, II, III, IV as ground A, B, C, D and E has C = 1, 1.3, 1.6, 2; S = C/1.25 up to 0.1 g, 1 from 0.4 g, linear between;
+    /// T_A = K C/10, T_B = K C/2.5.
     ///
     /// # Example
     /// Bucharest, T_C = 1.6 s; Lisbon, type 1 on ground B, 1.5 m/s²: S = 1.35 − 0.35 · 0.5/3.
@@ -75,6 +84,9 @@ impl NationalAnnex {
                 tc_s: corner_period_s,
                 td_s: if corner_period_s > 1.0 { 2.0 } else { 3.0 },
             },
+            Self::Spain { contribution_ratio } => {
+                spain(ground, contribution_ratio, ground_acceleration_g)
+            }
         }
     }
 }
@@ -92,6 +104,26 @@ fn france(ground: GroundType) -> SpectrumShape {
         tb_s,
         tc_s,
         td_s,
+    }
+}
+
+/// The last period of the spectrum of NCSE-02, whose branch `K C/T` has no end \[s\].
+const NCSE_LAST_S: f64 = 10.0;
+
+fn spain(ground: GroundType, contribution_ratio: f64, ground_acceleration_g: f64) -> SpectrumShape {
+    let soil = match ground {
+        GroundType::A => 1.0,
+        GroundType::B => 1.3,
+        GroundType::C => 1.6,
+        GroundType::D | GroundType::E => 2.0,
+    };
+    let share = ((ground_acceleration_g - 0.1) / 0.3).clamp(0.0, 1.0);
+    let weak = soil / 1.25;
+    SpectrumShape {
+        soil_factor_ratio: weak + (1.0 - weak) * share,
+        tb_s: contribution_ratio * soil / 10.0,
+        tc_s: contribution_ratio * soil / 2.5,
+        td_s: NCSE_LAST_S,
     }
 }
 
@@ -171,6 +203,14 @@ mod tests {
         }
         .shape(SpectrumType::Type1, GroundType::B, 0.2);
         near(rest.tb_s, 0.14);
+        // Granada on terrain III, a_b = 0.23 g, K = 1: S = 1.28 + 3.33 (0.13) (1 − 1.28).
+        let granada = NationalAnnex::Spain {
+            contribution_ratio: 1.0,
+        }
+        .shape(SpectrumType::Type1, GroundType::C, 0.23);
+        near(granada.soil_factor_ratio, 1.28 - 0.28 * 0.13 / 0.3);
+        near(granada.tb_s, 0.16);
+        near(granada.tc_s, 0.64);
         near(rest.td_s, 3.0);
     }
 }

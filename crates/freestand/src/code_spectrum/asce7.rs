@@ -157,7 +157,7 @@ pub fn site_coefficients(
 }
 
 /// Straight lines between the columns of a table; constant outside them.
-fn between(columns: &[f64], ratios: &[f64], value: f64) -> f64 {
+pub(super) fn between(columns: &[f64], ratios: &[f64], value: f64) -> f64 {
     let last = ratios.last().copied().unwrap_or(f64::NAN);
     let ends = columns.windows(2).zip(ratios.windows(2));
     for (at, ratio) in ends {

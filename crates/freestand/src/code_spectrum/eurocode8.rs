@@ -216,7 +216,7 @@ impl Eurocode8 {
 }
 
 /// 1 at T = 0, `amplification` on the plateau.
-fn shape_ratio([tb_s, tc_s, td_s]: [f64; 3], amplification: f64, period_s: f64) -> f64 {
+pub(super) fn shape_ratio([tb_s, tc_s, td_s]: [f64; 3], amplification: f64, period_s: f64) -> f64 {
     match period_s {
         t if (0.0..tb_s).contains(&t) => 1.0 + (amplification - 1.0) * t / tb_s,
         t if t >= tb_s && t <= tc_s => amplification,

@@ -1,5 +1,5 @@
-//! Elastic design spectra of codes, 5 % damping: AS 1170.4, Eurocode 8, ASCE 7, NZS 1170.5, and
-//! user tables.
+//! Elastic design spectra of codes, 5 % damping: AS 1170.4, Eurocode 8, ASCE 7, NZS 1170.5, NTC 2018, TBDY 2018,
+//! TS 1170.5, and user tables.
 //!
 //! | code | parameters | short periods | plateau | then | long periods |
 //! |---|---|---|---|---|---|
@@ -7,6 +7,9 @@
 //! | [`Eurocode8`] | a_g, type, ground | a_g S (1 + 1.5 T/TB) | 2.5 a_g S | 1/T | 1/T² above TD |
 //! | [`Asce7`] | SDS, SD1, TL | SDS (0.4 + 0.6 T/T0) | SDS | 1/T | 1/T² above TL |
 //! | [`Nzs1170_5`] | Z, R, class, fault | Z R (a + b T) | Z R c | T^−0.75 | 1/T, 1/T² above 3 s |
+//! | [`Ntc2018`] | ag, F0, Tc*, ground | ag S (1 + (F0 − 1) T/TB) | ag S F0 | 1/T | 1/T² above TD |
+//! | [`Tbdy2018`] | Ss, S1, class | S_DS (0.4 + 0.6 T/T_A) | S_DS | 1/T | 1/T² above 6 s |
+//! | [`Ts1170_5`] | four values of a table | PGA + (S_a,s − PGA) T/0.1 s | S_a,s | 1/T | T^−1.5 above T_d |
 //! | [`SpectrumTable`] | periods, accelerations | log-log or linear, bounded or extended | | | |
 //!
 //! [`parts`] has the acceleration of a rigid part on a floor according to each code,
@@ -27,10 +30,13 @@ mod asce7;
 mod eurocode8;
 mod eurocode8_shape;
 mod frame_period;
+mod ntc2018;
 mod nzs1170_5;
 pub mod part_forces;
 pub mod parts;
 mod table;
+mod tbdy2018;
+mod ts1170_5;
 
 use thiserror::Error;
 
@@ -42,10 +48,13 @@ pub use asce7::{Asce7, Asce7Edition, Asce7Site, SiteCoefficients, site_coefficie
 pub use eurocode8::Eurocode8;
 pub use eurocode8_shape::{GroundType, SpectrumShape, SpectrumType};
 pub use frame_period::{FrameKind, PeriodCode, PeriodFormula, fundamental_period_s};
+pub use ntc2018::{Ntc2018, NtcHazard, Topography};
 pub use nzs1170_5::{
     Nzs1170_5, SubsoilClass, near_fault_ratio, return_period_factor, return_period_factors,
 };
 pub use table::{Interpolation, OutOfRange, SpectrumTable};
+pub use tbdy2018::{Tbdy2018, TbdySite};
+pub use ts1170_5::{Ts1170_5, TsSite, TsValues};
 
 /// An elastic code spectrum at 5 % damping, with which motions are compared and to which they are
 /// matched.
@@ -59,6 +68,12 @@ pub enum CodeSpectrum {
     Asce7(Asce7),
     /// New Zealand.
     Nzs1170_5(Nzs1170_5),
+    /// Italy.
+    Ntc2018(Ntc2018),
+    /// Türkiye.
+    Tbdy2018(Tbdy2018),
+    /// New Zealand, from 2025.
+    Ts1170_5(Ts1170_5),
     /// A table from the user.
     Table(SpectrumTable),
 }
@@ -69,7 +84,13 @@ impl CodeSpectrum {
     pub fn vertical_sa_g(&self, period_s: f64) -> Option<f64> {
         match self {
             Self::Eurocode8(code) => Some(code.vertical_sa_g(period_s)),
-            Self::As1170_4(_) | Self::Asce7(_) | Self::Nzs1170_5(_) | Self::Table(_) => None,
+            Self::Ntc2018(code) => Some(code.vertical_sa_g(period_s)),
+            Self::Tbdy2018(code) => Some(code.vertical_sa_g(period_s)),
+            Self::As1170_4(_)
+            | Self::Asce7(_)
+            | Self::Nzs1170_5(_)
+            | Self::Ts1170_5(_)
+            | Self::Table(_) => None,
         }
     }
 
@@ -83,6 +104,9 @@ impl CodeSpectrum {
             Self::Eurocode8(code) => code.sa_g(period_s),
             Self::Asce7(code) => code.sa_g(period_s),
             Self::Nzs1170_5(code) => code.sa_g(period_s),
+            Self::Ntc2018(code) => code.sa_g(period_s),
+            Self::Tbdy2018(code) => code.sa_g(period_s),
+            Self::Ts1170_5(code) => code.sa_g(period_s),
             Self::Table(table) => table.sa_g(period_s).unwrap_or(f64::NAN),
         }
     }
@@ -94,6 +118,9 @@ impl CodeSpectrum {
             Self::Eurocode8(_) => "EN 1998-1:2004",
             Self::Asce7(code) => code.edition().name(),
             Self::Nzs1170_5(_) => "NZS 1170.5:2004",
+            Self::Ntc2018(_) => "NTC 2018",
+            Self::Tbdy2018(_) => "TBDY 2018",
+            Self::Ts1170_5(_) => "TS 1170.5:2025",
             Self::Table(_) => "user's table",
         }
     }
@@ -106,6 +133,9 @@ impl CodeSpectrum {
             Self::Eurocode8(code) => code.corner_periods_s().to_vec(),
             Self::Asce7(code) => code.corner_periods_s().to_vec(),
             Self::Nzs1170_5(code) => code.corner_periods_s(),
+            Self::Ntc2018(code) => code.corner_periods_s().to_vec(),
+            Self::Tbdy2018(code) => code.corner_periods_s().to_vec(),
+            Self::Ts1170_5(code) => code.corner_periods_s().to_vec(),
             Self::Table(table) => table
                 .periods_s()
                 .iter()
@@ -142,6 +172,9 @@ impl CodeSpectrum {
             Self::Eurocode8(code) => code.plateau_g(),
             Self::Asce7(code) => code.sds_g(),
             Self::Nzs1170_5(code) => code.plateau_g(),
+            Self::Ntc2018(code) => code.plateau_g(),
+            Self::Tbdy2018(code) => code.sds_g(),
+            Self::Ts1170_5(code) => code.values().sas_g,
             Self::Table(table) => table.sa_values_g().iter().copied().fold(0.0, f64::max),
         }
     }
@@ -154,6 +187,9 @@ impl CodeSpectrum {
             Self::Eurocode8(code) => code.ground().map(GroundType::name),
             Self::Nzs1170_5(code) => Some(code.site().name()),
             Self::Asce7(code) => code.site().map(Asce7Site::name),
+            Self::Ntc2018(code) => Some(code.ground().name()),
+            Self::Tbdy2018(code) => Some(code.site().name()),
+            Self::Ts1170_5(code) => Some(code.site().name()),
             Self::Table(_) => None,
         }
     }
@@ -163,6 +199,9 @@ impl CodeSpectrum {
         match self {
             Self::As1170_4(code) => Some(code.return_period_years()),
             Self::Nzs1170_5(code) => Some(code.return_period_years()),
+            Self::Ntc2018(code) => Some(code.return_period_years()),
+            Self::Ts1170_5(code) => Some(code.return_period_years()),
+            Self::Tbdy2018(code) => code.return_period_years(),
             Self::Eurocode8(code) => code.annex().map(NationalAnnex::return_period_years),
             _ => None,
         }
@@ -198,6 +237,24 @@ impl From<Asce7> for CodeSpectrum {
 impl From<Nzs1170_5> for CodeSpectrum {
     fn from(code: Nzs1170_5) -> Self {
         Self::Nzs1170_5(code)
+    }
+}
+
+impl From<Ntc2018> for CodeSpectrum {
+    fn from(code: Ntc2018) -> Self {
+        Self::Ntc2018(code)
+    }
+}
+
+impl From<Tbdy2018> for CodeSpectrum {
+    fn from(code: Tbdy2018) -> Self {
+        Self::Tbdy2018(code)
+    }
+}
+
+impl From<Ts1170_5> for CodeSpectrum {
+    fn from(code: Ts1170_5) -> Self {
+        Self::Ts1170_5(code)
     }
 }
 

@@ -60,14 +60,19 @@ pub fn floor_acceleration_g(code: &CodeSpectrum, question: &PartsQuestion) -> Op
     }
     let factor = match code {
         CodeSpectrum::As1170_4(_) => as1170_4_height_ratio(level_ratio, building_height_m?),
-        CodeSpectrum::Eurocode8(_) => eurocode8_factor_ratio(level_ratio, 0.0),
+        // NTC 2018, 7.2.3, leaves the acceleration to comprehensive methods: that of Eurocode 8 serves.
+        CodeSpectrum::Eurocode8(_) | CodeSpectrum::Ntc2018(_) => {
+            eurocode8_factor_ratio(level_ratio, 0.0)
+        }
         CodeSpectrum::Asce7(code) => {
             asce7_height_factor_ratio(code, level_ratio, building_period_s)
         }
         CodeSpectrum::Nzs1170_5(_) => (1.0 + level_ratio * building_height_m? / 6.0)
             .min(1.0 + 10.0 * level_ratio)
             .min(3.0),
-        CodeSpectrum::Table(_) => return None,
+        CodeSpectrum::Tbdy2018(_) | CodeSpectrum::Ts1170_5(_) | CodeSpectrum::Table(_) => {
+            return None;
+        }
     };
     // In every code the acceleration of the ground is the value at T = 0: kpZ Ch(0), a_g S, 0.4
     // SDS, C(0).
@@ -84,7 +89,10 @@ pub fn clause(code: &CodeSpectrum) -> Option<&'static str> {
             Asce7Edition::Asce7_22 => "ASCE 7-22, 13.3: 0.4 SDS Hf",
         }),
         CodeSpectrum::Nzs1170_5(_) => Some("NZS 1170.5, section 8: C(0) CHi"),
-        CodeSpectrum::Table(_) => None,
+        CodeSpectrum::Ntc2018(_) => {
+            Some("NTC 2018, 7.2.3, by EN 1998-1, 4.3.5.2: ag S (1 + 1.5 z/H), a rigid part")
+        }
+        CodeSpectrum::Tbdy2018(_) | CodeSpectrum::Ts1170_5(_) | CodeSpectrum::Table(_) => None,
     }
 }
 

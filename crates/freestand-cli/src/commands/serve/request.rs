@@ -1,6 +1,7 @@
 //! How the page asks for commands: a request is the values of a struct by their keys, with files by the
 //! numbers of uploads instead of paths.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, LazyLock};
 
@@ -35,7 +36,7 @@ use freestand_page::{
     Program, Refusal, Reply, Request, Shape, Status, columns,
 };
 use freestand_study::hull::Surface;
-use freestand_study::places::places;
+use freestand_study::places::{Place, places};
 use freestand_study::recorded::{MotionFiles, Upward, read_all};
 use serde_json::{Map, Value, json};
 use tempfile::TempDir;
@@ -61,14 +62,32 @@ pub(super) const PROGRAM: Program = Program {
 /// Motions of the last grounds and buildings that were asked for.
 static MEMORY: LazyLock<Arc<Memory>> = LazyLock::new(Arc::default);
 
+/// Each place under a name that finds it and no other.
+fn named_places() -> Vec<Value> {
+    let mut told = HashSet::new();
+    let named = |place: &Place| {
+        let is_found = Place::find(&place.name).is_some_and(|found| found == *place);
+        let name = if is_found {
+            place.name.to_string()
+        } else {
+            place.full_name()
+        };
+        told.insert(name.clone()).then(|| {
+            json!({
+                "name": name, "region": Some(place.region).filter(|region| !region.is_empty()), "country": place.country,
+                "code": place.hazard.code(), "confidence": place.confidence.name(),
+            })
+        })
+    };
+    places().iter().filter_map(named).collect()
+}
+
 /// What the page shows before anything is asked.
 fn facts() -> Value {
-    let place =
-        |place: &freestand_study::places::Place| serde_json::to_value(place).unwrap_or(Value::Null);
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "commands": COMMANDS.map(|command| command.name),
-        "places": places().iter().map(place).collect::<Vec<_>>(),
+        "places": named_places(),
         "sites": sites(),
         "withstands": withstands(),
         "columns": COLUMNS.iter().map(|column| column.name).collect::<Vec<_>>(),

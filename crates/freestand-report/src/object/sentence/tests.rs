@@ -6,6 +6,7 @@ fn place(name: &str, code: &str, years: Option<u32>, site: Option<&str>) -> Name
     let (name, code, site) = (name.to_owned(), code.to_owned(), site.map(str::to_owned));
     NamedEarthquake::Place {
         name,
+        is_point: false,
         code,
         years,
         site,
@@ -256,6 +257,7 @@ fn the_sentences_that_were_asked_for() {
     };
     let athens = NamedEarthquake::Place {
         name: "Athens".to_owned(),
+        is_point: false,
         code: "Eurocode 8".to_owned(),
         years: None,
         site: None,

@@ -1,0 +1,344 @@
+//! A place by its name or its coordinates, and what comes near to what was written.
+
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{canonical, number};
+
+use super::rows::by_hand;
+use super::{Confidence, Coordinates, Place, PlaceHazard, grid, places};
+
+/// Up to here the values of a place hold for coordinates \[km\]: about the width of a town, and half the step of the grids
+/// from which the values of most places are.
+const SAME_PLACE_KM: f64 = 5.0;
+/// The places that are told of coordinates without values are at most so far away \[km\].
+const NEAR_KM: f64 = 300.0;
+
+/// Why a place has no hazard.
+#[derive(Debug, Clone, PartialEq)]
+pub enum NotFound {
+    /// Its name is not in the tables; names that a slip of the pen makes of it.
+    Unknown(Vec<String>),
+    /// Several places have this name: their names in full.
+    Several(Vec<String>),
+    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\].
+    Far(Vec<(String, f64)>),
+    /// Coordinates that do not exist.
+    NoCoordinates,
+    /// One value for the place would be wrong: why.
+    Refused(&'static str),
+}
+
+/// Places for which one value would be wrong, and why.
+const REFUSED: [(&str, &str); 7] = [
+    (
+        "Mexico City,Ciudad de Mexico,CDMX",
+        "no value on rock is right for the lake zone of Mexico City, where the ground itself makes the spectrum, with periods up \
+         to 2.5 s: take the spectrum of your site from SASID and give it as a table (`spectrum`)",
+    ),
+    (
+        "Reykjavik",
+        "the boundary of a zone runs near Reykjavik: 0.10 to 0.40 g (recalled)",
+    ),
+    (
+        "Algiers,Alger",
+        "the zone of Algiers has 0.25 to 0.40 g by the use of the building (recalled)",
+    ),
+    (
+        "Kaohsiung",
+        "the districts of Kaohsiung differ too much: S_DS 0.5 to 0.7 g (recalled)",
+    ),
+    (
+        "Tainan",
+        "the districts of Tainan differ too much: S_D1 0.35 to 0.45 g (recalled)",
+    ),
+    (
+        "Vancouver",
+        "the values of Vancouver are those of the tool of Natural Resources Canada",
+    ),
+    (
+        "Jakarta",
+        "the values of Jakarta are those of the map of SNI 1726",
+    ),
+];
+
+impl NotFound {
+    /// The problem with what was written under a key, if it has one; `bring` says what serves in place of a place.
+    pub fn problem(&self, key: Option<&str>, text: &str, bring: &str) -> Problem {
+        let text = shorten(text);
+        let text = match self {
+            Self::Far(_) | Self::NoCoordinates => text.to_string(),
+            _ => format!("\"{text}\""),
+        };
+        let shown = key.map_or_else(|| text.clone(), |key| format!("`{key}` {text}"));
+        const LIST: &str = "freestand place list shows all places";
+        let quoted = |names: &[String]| {
+            let names: Vec<String> = names.iter().map(|name| format!("\"{name}\"")).collect();
+            names.join(" or ")
+        };
+        match self {
+            Self::Unknown(near) => {
+                let message = format!("{shown} is not in the table of places");
+                let hint = if near.is_empty() {
+                    format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}")
+                } else {
+                    format!("did you mean {}?", quoted(near))
+                };
+                Problem::value(message, hint)
+            }
+            Self::Several(names) => {
+                let message = format!("{shown} is the name of {} places", names.len());
+                Problem::value(message, format!("say which: {}", quoted(names)))
+            }
+            Self::Far(near) => {
+                let message = format!("no hazard is known at {shown}");
+                let near: Vec<String> = near
+                    .iter()
+                    .map(|(name, km)| format!("{name} ({} km away)", number(*km, 2)))
+                    .collect();
+                if near.is_empty() {
+                    return Problem::value(message, bring);
+                }
+                let hint = format!(
+                    "the nearest places with values are {}; {bring}",
+                    near.join(", ")
+                );
+                Problem::value(message, hint)
+            }
+            Self::NoCoordinates => Problem::value(
+                format!("{shown} are no coordinates"),
+                "give the latitude (-90 to 90), then the longitude (-180 to 180), such as \"41.01, 28.97\"",
+            ),
+            Self::Refused(why) => Problem::value(*why, bring),
+        }
+    }
+}
+
+impl Place {
+    /// The place with this name or at these coordinates, by the first of its codes.
+    ///
+    /// # Example
+    /// ```
+    /// use freestand_study::places::{Place, PlaceHazard};
+    /// let place = Place::find("zürich").unwrap();
+    /// assert_eq!((place.name.as_ref(), place.country), ("Zurich", "Switzerland"));
+    /// assert!(matches!(place.hazard, PlaceHazard::Eurocode8 { ground_acceleration_g: 0.06, .. }));
+    /// assert_eq!(Place::find("Atlantis"), None);
+    /// assert_eq!(Place::find("41.01, 28.97").unwrap().name, "Istanbul");
+    /// ```
+    pub fn find(text: &str) -> Option<Self> {
+        Self::look_up(text, None).ok()
+    }
+
+    /// The place with this name or at these coordinates. Capitals, accents and punctuation do not matter; the state or the
+    /// country may follow: `Charleston, SC`, `Wellington New Zealand`. Of the places with this name, one with values for
+    /// `code` comes first.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn look_up(text: &str, code: Option<&str>) -> Result<Self, NotFound> {
+        if two_numbers(text).is_some() {
+            return at(Coordinates::parse(text)?, code);
+        }
+        let wanted = canonical(text);
+        if let Some((_, why)) = REFUSED
+            .iter()
+            .find(|(names, _)| names.split(',').any(|name| canonical(name) == wanted))
+        {
+            return Err(NotFound::Refused(why));
+        }
+        let mut found: Vec<(usize, &Self)> = places()
+            .iter()
+            .enumerate()
+            .filter(|(_, place)| place.is_called(&wanted))
+            .map(|(row, place)| (place.rank(row), place))
+            .collect();
+        if let Some(code) = code
+            && found.iter().any(|(_, place)| place.hazard.code() == code)
+        {
+            found.retain(|(_, place)| place.hazard.code() == code);
+        }
+        let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
+            return Err(NotFound::Unknown(near(text)));
+        };
+        found.retain(|(other, _)| *other == rank);
+        if rank > 0 && found.len() > 1 {
+            let names = found.iter().map(|(_, place)| place.full_name());
+            return Err(NotFound::Several(names.collect()));
+        }
+        let mut meant = first.clone();
+        if let PlaceHazard::Ntc2018 { at } = meant.hazard {
+            meant.distance_km = grid::node_distance_km(at);
+        }
+        Ok(meant)
+    }
+
+    /// Whether it has this canonical name, with or without its state or country behind it.
+    fn is_called(&self, wanted: &str) -> bool {
+        self.names().any(|name| {
+            let rest = wanted.strip_prefix(&canonical(name));
+            rest.is_some_and(|rest| {
+                let rest = rest.trim_start();
+                rest.is_empty() || rest == canonical(self.region) || is_country(rest, self.country)
+            })
+        })
+    }
+
+    /// 0 for the table by hand, 1 for cities, 2 for municipalities and parishes: a name means one of the lowest rank.
+    fn rank(&self, row: usize) -> usize {
+        match self.country {
+            _ if row < by_hand() => 0,
+            "Portugal" | "Ecuador" => 2,
+            _ => 1,
+        }
+    }
+}
+
+/// Whether canonical words name a country: also by its other name.
+pub fn is_country(words: &str, country: &str) -> bool {
+    let other = match country {
+        "Türkiye" => "turkey",
+        "United States" => "usa",
+        _ => return words == canonical(country),
+    };
+    words == other || words == canonical(country)
+}
+
+/// Two numbers with a comma or a space between them, each with its side of the equator or of Greenwich.
+fn two_numbers(text: &str) -> Option<[f64; 2]> {
+    let mut numbers = Vec::new();
+    for word in text
+        .split(|c: char| c == ',' || c == ';' || c.is_whitespace())
+        .filter(|word| !word.is_empty())
+    {
+        let (digits, sign) = match word.char_indices().last() {
+            Some((at, 'N' | 'E' | 'n' | 'e')) => (&word[..at], 1.0),
+            Some((at, 'S' | 'W' | 's' | 'w')) => (&word[..at], -1.0),
+            _ => (word, 1.0),
+        };
+        let digits = digits.trim_end_matches('°');
+        match (digits.parse::<f64>(), numbers.last_mut()) {
+            (Ok(number), _) => numbers.push(sign * number),
+            // A letter alone, behind its number.
+            (Err(_), Some(last)) if digits.is_empty() => *last *= sign,
+            _ => return None,
+        }
+    }
+    numbers.try_into().ok()
+}
+
+impl Coordinates {
+    /// Latitude and longitude in degrees: `41.01, 28.97`, `41.01° N 28.97° E`, `-41.29 174.78`.
+    ///
+    /// # Errors
+    /// A text that does not say coordinates.
+    pub fn parse(text: &str) -> Result<Self, NotFound> {
+        let [latitude_deg, longitude_deg] = two_numbers(text).ok_or(NotFound::NoCoordinates)?;
+        let fine =
+            (-90.0..=90.0).contains(&latitude_deg) && (-180.0..=180.0).contains(&longitude_deg);
+        let found = Self {
+            latitude_deg,
+            longitude_deg,
+        };
+        fine.then_some(found).ok_or(NotFound::NoCoordinates)
+    }
+}
+
+/// The place at a point: a known place there, else the point of a grid. Italy has a grid, so its towns are points of it.
+fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
+    let near = nearest(point);
+    let is_wanted = |place: &&Place| code.is_none_or(|code| place.hazard.code() == code);
+    let here = near
+        .iter()
+        .filter(|place| place.distance_km.is_some_and(|km| km <= SAME_PLACE_KM))
+        .find(is_wanted);
+    let is_in_italy = here.is_none_or(|place| place.country == "Italy");
+    if is_in_italy
+        && code.is_none_or(|code| code == "ntc2018")
+        && let Some(km) = grid::node_distance_km(point)
+    {
+        return Ok(on_grid(point, km));
+    }
+    here.cloned().ok_or_else(|| {
+        let near = near
+            .iter()
+            .filter(|place| place.distance_km.is_some_and(|km| km <= NEAR_KM));
+        let told = near
+            .take(3)
+            .filter_map(|place| Some((place.full_name(), place.distance_km?)));
+        NotFound::Far(told.collect())
+    })
+}
+
+fn on_grid(point: Coordinates, km: f64) -> Place {
+    let (latitude, longitude) = (
+        number(point.latitude_deg, 7),
+        number(point.longitude_deg, 7),
+    );
+    Place {
+        name: format!("{latitude}, {longitude}").into(),
+        other_names: "",
+        region: "",
+        country: "Italy",
+        hazard: PlaceHazard::Ntc2018 { at: point },
+        source: "NTC 2018, annex B of NTC 2008 (INGV MPS04): four nodes weighted by 1/d",
+        confidence: Confidence::Interpolated,
+        coordinates: Some(point),
+        distance_km: Some(km),
+        fault_distance_km: None,
+    }
+}
+
+/// The places whose coordinates are known, the nearest to a point first, each with its distance.
+pub fn nearest(point: Coordinates) -> Vec<Place> {
+    let mut found: Vec<Place> = places()
+        .iter()
+        .filter_map(|place| {
+            let km = place.coordinates?.distance_km(point);
+            Some(Place {
+                distance_km: Some(km),
+                ..place.clone()
+            })
+        })
+        .collect();
+    // The first of two tables comes first.
+    found.sort_by(|a, b| {
+        a.distance_km
+            .unwrap_or(0.0)
+            .total_cmp(&b.distance_km.unwrap_or(0.0))
+    });
+    found
+}
+
+/// Up to three places that a misspelt name may mean, the nearest first: one letter differs, two of more than eight, or a
+/// name of the table by hand begins with what was written.
+pub(super) fn near(name: &str) -> Vec<String> {
+    let wanted = canonical(name);
+    let length = wanted.chars().count();
+    let slips = if length > 8 { 2 } else { 1 };
+    let mut found: Vec<(usize, &Place, bool)> = Vec::new();
+    for (row, place) in places().iter().enumerate() {
+        let is_by_hand = row < by_hand();
+        let distance = place.names().filter_map(|name| {
+            let name = canonical(name);
+            let distance = strsim::levenshtein(&wanted, &name);
+            let is_near = length >= 3 && distance <= slips;
+            (is_near || is_by_hand && length >= 3 && name.starts_with(&wanted)).then_some(distance)
+        });
+        let is_new = || found.iter().all(|(_, other, _)| other.name != place.name);
+        if let Some(distance) = distance.min()
+            && is_new()
+        {
+            found.push((distance, place, is_by_hand));
+        }
+    }
+    found.sort_by_key(|(distance, ..)| *distance);
+    let name = |place: &Place, is_by_hand: bool| match is_by_hand {
+        true => place.name.to_string(),
+        false => place.full_name(),
+    };
+    found
+        .into_iter()
+        .take(3)
+        .map(|(_, place, is_by_hand)| name(place, is_by_hand))
+        .collect()
+}
