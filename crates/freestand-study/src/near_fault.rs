@@ -8,6 +8,7 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 
+use crate::places::{FAR_KM, PlaceHazard, TsLevel};
 use crate::target::{Target, code_name};
 
 /// The words of the spectrum: of the two keys of a fault, NZS 1170.5 alone takes the distance.
@@ -29,6 +30,14 @@ pub fn near_fault(words: &Words, target: Option<&Target>) -> Result<Option<NearF
     let mut reader = WordReader::new(words);
     let of_place_km = target.and_then(|target| match &target.spectrum {
         CodeSpectrum::Nzs1170_5(code) if code.is_near_fault() => code.fault_distance_km(),
+        // The table of the settlement has a distance for each return period.
+        CodeSpectrum::Ts1170_5(code) => {
+            let PlaceHazard::Ts1170_5 { table } = target.place.as_ref()?.hazard else {
+                return None;
+            };
+            let level = TsLevel::all(table).find(|level| level.years == code.return_period_years());
+            level?.fault_distance_km.filter(|km| *km < FAR_KM)
+        }
         _ => None,
     });
     let is_known = reader.has("fault_distance") || of_place_km.is_some();

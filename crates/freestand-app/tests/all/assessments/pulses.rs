@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use freestand::synthesis::{SynthesisOptions, with_pulse};
+use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{Component, GroundSpread, Pulses, SpreadOptions, world_motion};
 use freestand_app::job::{Job, assess_into};
 use freestand_assess::list::{ListRequest, inventory_of};
@@ -56,15 +56,16 @@ fn without_a_fault_no_world_changes() {
     ] {
         let study = study(fault);
         let worlds = Worlds::new(&study, || Ok(())).unwrap();
-        let (ground_of, options) = (synthetic(&study), SynthesisOptions::default());
+        let ground_of = synthetic(&study);
+        let matcher = QuickMatcher::new(&SynthesisOptions::default()).unwrap();
         let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
         for world in 0..2 {
             let spectra = spread.spectra(ground_of.seed, world, 0);
             let plain = [Component::X, Component::Y].map(|component| {
                 let target = |t: f64| ground_of.target.spectrum.sa_g(t);
                 let key = (ground_of.seed, world, 0);
-                let made = world_motion(target, &spectra, component, key, &options).unwrap();
-                made.motion.accel_m_s2().to_vec()
+                let made = world_motion(target, &spectra, component, key, &matcher).unwrap();
+                made.accel_m_s2().to_vec()
             });
             assert_eq!(ground(&worlds, world), plain, "{fault}");
             assert_eq!(worlds.pulse(world).unwrap(), None);
@@ -94,19 +95,17 @@ fn a_fault_brings_its_pulses_to_every_floor() {
         .unwrap();
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
     let spectra = spread.spectra(ground_of.seed, world, 0);
-    let options = SynthesisOptions::default();
+    let matcher = QuickMatcher::new(&SynthesisOptions::default()).unwrap();
     for (component, found) in [Component::X, Component::Y]
         .into_iter()
         .zip(ground(&worlds, world))
     {
         let lowered = |t: f64| pulses.lowered_sa_g(t, target(t));
         let key = (ground_of.seed, world, 0);
-        let under = world_motion(lowered, &spectra, component, key, &options)
-            .unwrap()
-            .motion;
+        let under = world_motion(lowered, &spectra, component, key, &matcher).unwrap();
         let still = under.scaled(0.0).unwrap();
         let along = amplitude_m_s * pulse.part(component);
-        let added = with_pulse(&still, &pulse.shape, along, &options).unwrap();
+        let added = with_pulse(&still, &pulse.shape, along, matcher.options()).unwrap();
         for ((found, under), added) in found.iter().zip(under.accel_m_s2()).zip(added.accel_m_s2())
         {
             // Rounding of sums of some m/s².
