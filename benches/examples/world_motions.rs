@@ -2,7 +2,8 @@
 //! statistics, how many of them overturn blocks, and how long they take, side by side in one run.
 //!
 //! `world_motions.rs SITE WORLDS`: SITE is the class of AS 1170.4, `Be` or `De`. Fails where a
-//! difference is larger than what is allowed.
+//! difference is larger than what is allowed: with 4000 worlds class De has none, and in class Be
+//! D5–95 is 3.6 % shorter at 50 % and 4.2 % at 84 %.
 
 #![expect(
     clippy::panic,
@@ -248,7 +249,10 @@ fn main() {
     for (k, (height_m, ratio, scale)) in BLOCKS.iter().enumerate() {
         let [before, now] =
             [&before, &now].map(|rows| mean(&rows.all(|row| f64::from(u8::from(row.falls[k])))));
-        ratios.push((now / before).ln());
+        // Of those that hardly ever fall, the ratio would be chance.
+        if before > 0.05 {
+            ratios.push((now / before).ln());
+        }
         println!(
             "{now:.3} ({before:.3} before) overturn {height_m} m x {ratio}, scaled by {scale}"
         );

@@ -203,8 +203,12 @@ impl<'a> Matcher<'a> {
             best.consider(&accel, &ln_ratios);
             let gains: Vec<f64> = ln_gains.iter().map(|ln| ln.exp()).collect();
             self.filter(&mut accel, |bin| {
-                let cut = (bin.frequency_hz / LOW_CUT_HZ).min(1.0);
-                bin.place.interpolate(&gains) * cut.powi(PLAIN_PASSES)
+                let gain = bin.place.interpolate(&gains);
+                if bin.frequency_hz < LOW_CUT_HZ {
+                    gain * (bin.frequency_hz / LOW_CUT_HZ).powi(PLAIN_PASSES)
+                } else {
+                    gain
+                }
             });
         }
         let ln_ratios = self.ln_ratios(&accel);

@@ -22,8 +22,8 @@ const MOMENTUM: f64 = 0.6;
 /// A pass cuts low frequencies as so many plain passes do.
 pub(super) const PLAIN_PASSES: i32 = 4;
 
-/// Makes motions whose spectra follow targets that are as rough as those of records, ten times as
-/// fast as [`synthesize`](super::synthesize), with the statistics of its motions.
+/// Makes motions whose spectra follow targets that are as rough as those of records, eight times
+/// as fast as [`synthesize`](super::synthesize), with the statistics of its motions.
 ///
 /// The passes of [`synthesize`](super::synthesize) from the same noise, with momentum between the first
 /// and the last; the oscillators are in single precision, and those of long periods see a share of the
