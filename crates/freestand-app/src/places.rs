@@ -40,7 +40,7 @@ request! { question
     /// One place.
     pub struct PlaceShow {
         /// Name of the place, or its coordinates
-        #[arg(value_name = "NAME")]
+        #[arg(value_name = "NAME", allow_hyphen_values = true)]
         pub name: Option<Written>,
     }
 }

@@ -30,8 +30,10 @@ fn with_negative_values(arg: Arg) -> Arg {
     let names = arg.get_value_names().unwrap_or_default();
     let is_named = names.iter().any(|name| name.starts_with("FILE"));
     let is_path = is_named || arg.get_value_parser().type_id() == TypeId::of::<PathBuf>();
-    let allowed = !arg.is_positional() && is_single && !is_path;
-    arg.allow_hyphen_values(allowed)
+    if arg.is_positional() {
+        return arg;
+    }
+    arg.allow_hyphen_values(is_single && !is_path)
 }
 
 /// The units of the values that a command takes, one line for each dimension.

@@ -60,7 +60,7 @@ def test_an_object_may_be_a_body():
     scan = SimpleNamespace(vertices=corners(), faces=np.array(FACES))
     found = fs.check_object(body=fs.Body.from_mesh(scan, "m", base="measured"), motions=motion(0.15))
     assert found.motions_overturned == 0
-    with pytest.raises(fs.BadValue, match="no wall lower than it"):
+    with pytest.raises(fs.BadValue, match="is lower than the object"):
         fs.check_object(body=column, motions=motion(0.6), wall_gap_m=0.1, wall_height_m=0.5)
 
 

@@ -160,8 +160,13 @@ impl Place {
         let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
             return Err(NotFound::Unknown(near(text)));
         };
-        found.retain(|(other, _)| *other == rank);
-        if rank > 0 && found.len() > 1 {
+        // A city of another country may be meant as well, a parish hardly.
+        found.retain(|(other, place)| {
+            *other == rank || *other == 1 && place.country != first.country
+        });
+        let is_one_of_the_table =
+            |(other, place): &(usize, &Self)| *other == 0 && place.country == first.country;
+        if found.len() > 1 && !found.iter().all(is_one_of_the_table) {
             let names = found.iter().map(|(_, place)| place.full_name());
             return Err(NotFound::Several(names.collect()));
         }

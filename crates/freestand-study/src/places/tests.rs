@@ -12,6 +12,13 @@ fn every_row_is_read_and_found_by_each_of_its_names() {
     for (row, place) in places().iter().enumerate() {
         if row < by_hand() {
             for name in place.names() {
+                // The name of a city in another country as well.
+                let is_shared = matches!(Place::look_up(name, None), Err(NotFound::Several(_)));
+                assert!(
+                    !is_shared || ["San Jose", "San Juan"].contains(&name),
+                    "{name}"
+                );
+                let name = if is_shared { &place.full_name() } else { name };
                 assert_eq!(found(name), *place, "{name}");
             }
         }
