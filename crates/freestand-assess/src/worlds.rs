@@ -469,11 +469,16 @@ impl<'a> Worlds<'a> {
         Ok(Some(made))
     }
 
-    /// The spectrum that the horizontal motions deviate from, without their pulses \[g\].
-    fn horizontal_sa_g(&self, ground: &SyntheticGround, period_s: f64) -> f64 {
+    /// The spectrum that the horizontal motions of a world deviate from, without their pulse \[g\].
+    fn horizontal_sa_g(
+        &self,
+        ground: &SyntheticGround,
+        pulse: Option<&WorldPulse>,
+        period_s: f64,
+    ) -> f64 {
         let sa_g = ground.target.spectrum.sa_g(period_s);
         let pulses = self.pulses.as_ref();
-        pulses.map_or(sa_g, |pulses| pulses.lowered_sa_g(period_s, sa_g))
+        pulses.map_or(sa_g, |pulses| pulses.under_sa_g(pulse, period_s, sa_g))
     }
 
     /// The pulse of a world with its amplitude \[m/s\] at the intensity of the study, if it has one.
@@ -505,7 +510,7 @@ impl<'a> Worlds<'a> {
         } = self.study.assessment.worlds;
         // The spectrum under the pulse: the geometric mean of the components.
         let under = |t: f64| {
-            let sa_g = self.horizontal_sa_g(ground, t);
+            let sa_g = self.horizontal_sa_g(ground, Some(&pulse), t);
             let x = spectra.x.sa_g(t, sa_g);
             match components {
                 1 => x,
@@ -531,8 +536,11 @@ impl<'a> Worlds<'a> {
             component_ratio,
             ..
         } = self.study.assessment.worlds;
-        let horizontal = |t: f64| self.horizontal_sa_g(ground, t);
         let pulse = self.pulse_under(ground, &spectra, (world, again))?;
+        let horizontal = |t: f64| {
+            let pulse = pulse.as_ref().map(|(pulse, _)| pulse);
+            self.horizontal_sa_g(ground, pulse, t)
+        };
         let component = |component| {
             let target = |t: f64| match component {
                 Component::X => horizontal(t),

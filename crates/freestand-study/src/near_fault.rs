@@ -73,6 +73,17 @@ pub fn near_fault(words: &Words, target: Option<&Target>) -> Result<Option<NearF
         );
     }
     let fault = distance_m.and_then(|distance_m| NearFault::new(distance_m, magnitude).ok());
+    // N(T, D) raises the target for the same pulses.
+    let is_in_target = target.is_some_and(
+        |target| matches!(&target.spectrum, CodeSpectrum::Nzs1170_5(code) if code.is_near_fault()),
+    );
+    let fault = fault.map(|fault| {
+        if is_in_target {
+            fault.in_target()
+        } else {
+            fault
+        }
+    });
     reader.problems.finish(Some(fault))
 }
 

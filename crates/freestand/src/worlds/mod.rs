@@ -18,7 +18,7 @@ pub use ground::{Component, Deviation, GroundSpread, SpreadOptions, WorldSpectra
 pub use pulse::{
     ACCEPTED_FAULT_MAGNITUDES, FARTHEST_PULSE_M, FAULT_MAGNITUDES, MOST_FAULT_DISTANCE_M,
     NearFault, Pulses, WorldPulse, pulse_amplification_ratio, pulse_period_s, pulse_probability,
-    rupture_length_km,
+    rupture_length_km, without_pulse_ratio,
 };
 pub use restitution::{RESTITUTION_SPREAD, restitution_at, restitution_draw};
 pub use streams::{Group, WORLD_GENERATOR, object_stream, place_among, world_stream};

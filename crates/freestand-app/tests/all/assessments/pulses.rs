@@ -73,7 +73,8 @@ fn without_a_fault_no_world_changes() {
     }
 }
 
-/// Each component of a world with a pulse is the motion of its lowered spectrum and its part of the pulse.
+/// Each component of a world with a pulse is the motion of its target and its part of the pulse; a world without one has
+/// the lower spectrum of such worlds.
 #[test]
 fn a_fault_brings_its_pulses_to_every_floor() {
     let (near, far) = (study(NEAR), study(""));
@@ -100,7 +101,7 @@ fn a_fault_brings_its_pulses_to_every_floor() {
         .into_iter()
         .zip(ground(&worlds, world))
     {
-        let lowered = |t: f64| pulses.lowered_sa_g(t, target(t));
+        let lowered = |t: f64| pulses.under_sa_g(Some(&pulse), t, target(t));
         let key = (ground_of.seed, world, 0);
         let under = world_motion(lowered, &spectra, component, key, &matcher).unwrap();
         let still = under.scaled(0.0).unwrap();
@@ -115,7 +116,15 @@ fn a_fault_brings_its_pulses_to_every_floor() {
             );
         }
     }
+    let world = (0..40).find(|world| !has.contains(world)).unwrap();
+    let spectra = spread.spectra(ground_of.seed, world, 0);
+    let lower = |t: f64| pulses.under_sa_g(None, t, target(t));
+    assert!(lower(3.0) < 0.95 * target(3.0));
+    let key = (ground_of.seed, world, 0);
+    let without = world_motion(lower, &spectra, Component::X, key, &matcher).unwrap();
+    assert_eq!(ground(&worlds, world)[0], without.accel_m_s2());
     // The floors: what moves the ground moves the roof.
+    let world = has[0];
     let roof = |worlds: &Worlds| worlds.floor(world, 1.0).unwrap().pfv_m_s;
     assert!(
         roof(&worlds) > roof(&away),

@@ -16,8 +16,9 @@ fn target(period_s: f64) -> f64 {
     code.sa_g(period_s)
 }
 
+/// Its pulses where the target has them, through N(T, D).
 fn pulses(fault: NearFault) -> Pulses {
-    Pulses::new(fault, target).unwrap().unwrap()
+    Pulses::new(fault.in_target(), target).unwrap().unwrap()
 }
 
 /// By hand, with e^x from a table.
@@ -34,6 +35,12 @@ fn the_laws_give_what_they_give_by_hand() {
         // 10^1.26, 10^1.63.
         (rupture_length_km(6.5), 18.197),
         (rupture_length_km(7.0), 42.658),
+        // e^(−0.0905 · 1.098 61 · 0.9), half of the exponent at M 6.25, e^−0.198.
+        (without_pulse_ratio(3.0, 7.0, 2e3), 0.914_41),
+        (without_pulse_ratio(3.0, 6.25, 2e3), 0.956_25),
+        (without_pulse_ratio(20.0, 7.5, 0.0), 0.820_37),
+        (without_pulse_ratio(1.0, 7.0, 0.0), 1.0),
+        (without_pulse_ratio(3.0, 7.0, 20e3), 1.0),
         // e^(1.131 + 0.058), and e^0.058, e^0.255 far away.
         (
             pulse_amplification_ratio((-0.127_f64).exp() * 0.999),
@@ -120,7 +127,7 @@ fn the_worlds_have_the_pulses_of_the_law() {
 }
 
 fn motion(pulses: Option<&Pulses>, spectra: &crate::worlds::WorldSpectra, world: u32) -> Motion {
-    let lowered = |t: f64| pulses.map_or(target(t), |pulses| pulses.lowered_sa_g(t, target(t)));
+    let lowered = |t: f64| pulses.map_or(target(t), |pulses| pulses.under_sa_g(None, t, target(t)));
     let matcher = QuickMatcher::new(&SynthesisOptions::default()).unwrap();
     world_motion(lowered, spectra, Component::X, (1, world, 0), &matcher).unwrap()
 }
@@ -147,7 +154,7 @@ fn the_mean_spectrum_stays_the_target() {
         let far = ln(&motion(None, &spectra, world));
         let under = motion(Some(&pulses), &spectra, world);
         let (pulse, _) = pulses.drawn(1, world, 0);
-        let lowered = |t: f64| spectra.x.sa_g(t, pulses.lowered_sa_g(t, target(t)));
+        let lowered = |t: f64| spectra.x.sa_g(t, pulses.under_sa_g(None, t, target(t)));
         let amplitude_m_s = pulse.amplitude_m_s(lowered).unwrap() * pulse.part(Component::X);
         let with = ln(&with_pulse(&under, &pulse.shape, amplitude_m_s, &options).unwrap());
         for (i, without) in ln(&under).into_iter().enumerate() {
