@@ -1,7 +1,6 @@
 //! Passes in the frequency domain that match a motion to a target spectrum.
 
 use super::frame::Frame;
-use super::quick::PLAIN_PASSES;
 use super::transform::Transform;
 use super::wavelet::Kernel;
 use super::{
@@ -19,6 +18,8 @@ use std::ops::RangeInclusive;
 /// beyond the longest matched one, which no oscillator controls: the displacement grows threefold
 /// and the fit is no better.
 const LOW_CUT_HZ: f64 = 0.15;
+/// A pass with momentum cuts as so many plain passes do: eight take the place of thirty.
+const PLAIN_PASSES: i32 = 4;
 /// Roll-off corner of the first shaping \[Hz\], a little above the highest matched frequency; the
 /// passes do the rest.
 const HIGH_CORNER_HZ: f64 = 25.0;
@@ -186,7 +187,7 @@ impl<'a> Matcher<'a> {
 
     /// Passes with momentum, then the factor that takes the mean of ln PSA/target over the periods of
     /// `over_s` to 0. A pass (s, m) changes the logarithms of the amplitudes by −s ln PSA/target and m
-    /// times the change before.
+    /// times the change before, and cuts low frequencies as [`PLAIN_PASSES`] passes do.
     pub(super) fn follow(
         &mut self,
         mut accel: Vec<f64>,

@@ -19,8 +19,6 @@ const MOST_PASSES: usize = 9;
 /// the shaking. Nine of these change it by −29.5 r, eight by −25 r and six by −16 r.
 const STEP: f64 = 1.88;
 const MOMENTUM: f64 = 0.6;
-/// A pass cuts low frequencies as so many plain passes do.
-pub(super) const PLAIN_PASSES: i32 = 4;
 
 /// Makes motions whose spectra follow targets that are as rough as those of records, eight times
 /// as fast as [`synthesize`](super::synthesize), with the statistics of its motions.

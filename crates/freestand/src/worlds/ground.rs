@@ -156,7 +156,7 @@ impl WorldSpectra {
 /// # Accuracy
 /// With the defaults the standard deviation of ln S_c over 0.2–3 s (root mean square) is 0.393 by
 /// the covariances, and 0.386 without extreme worlds: 0.31 at 0.7 s, 0.5 at 0.2 s and 3 s, 0.65 at 0.1 s. The motions of
-/// 160 worlds (EN 1998-1 type 1, ground C) have 0.375, correlations of x and y from 0.49 to 0.65, and at the
+/// 160 worlds (EN 1998-1 type 1, ground C) have 0.381, correlations of x and y from 0.48 to 0.65, and at the
 /// roof of five storeys (T₁ = 0.65 s) a standard deviation of ln PFA of 0.27, or of 0.33 with the
 /// spreads of [`BuildingSpread`](super::BuildingSpread).
 #[derive(Debug, Clone)]
