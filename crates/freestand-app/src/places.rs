@@ -27,10 +27,10 @@ request! { question
         /// Country or code, such as greece or asce7
         #[arg(value_name = "WORD")]
         pub word: Option<Written>,
-        /// Those of a country, such as Türkiye
+        /// Only the places of a country, such as Türkiye
         #[arg(long, value_name = "NAME")]
         pub country: Option<Written>,
-        /// The nearest 20 to coordinates, such as "41.01, 28.97"; places without coordinates are left out
+        /// The 20 places nearest to these coordinates, such as "41.01, 28.97"; places without coordinates are left out
         #[arg(long, value_name = "COORDINATES")]
         pub near: Option<Written>,
     }
@@ -143,6 +143,6 @@ fn shown(name: &str) -> Result<Place, Problem> {
 }
 
 fn told(why: &NotFound, text: &str) -> Problem {
-    let bring = "a peak acceleration of the ground, a code or a spectrum serve in its place";
+    let bring = "a peak ground acceleration, a code with its values or a spectrum can be given instead";
     why.problem(None, text, bring)
 }

@@ -510,7 +510,7 @@ fn doubts(found: &Assessment, is_given: bool) -> Vec<String> {
     said.extend(found.notes.iter().filter_map(|note| match note {
         Note::TipsAtRest { worlds, of } => Some(format!(
             "in {worlds} of {of} histories it does not stand even before the floor moves, on the base that was drawn within the \
-             error of its scan: they count as falls; a measured base, or a smaller `scan_error`, says more"
+             error of its scan: they count as falls; a measured base, or a more accurate scan with its `scan_error`, gives a better answer"
         )),
         _ => None,
     }));

@@ -556,7 +556,7 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
 /// What a flat base that is much narrower than the body may mean.
 pub fn narrow_base_warning((base_m, plan_m): (f64, f64)) -> String {
     format!(
-        "the flat base is only {} mm wide where the scan is {} mm wide: if the scan is tilted or its underside bulges, turn its \
+        "the flat base is only {} mm wide in a direction in which the scan is {} mm wide: if the scan is tilted or its underside bulges, turn its \
          base onto the floor, or give a larger `scan_error` or the `feet`",
         number(1e3 * base_m, 2),
         number(1e3 * plan_m, 3)

@@ -53,11 +53,11 @@ const REFUSED: [(&str, &str); 7] = [
     ),
     (
         "Vancouver",
-        "the values of Vancouver are those of the tool of Natural Resources Canada",
+        "no value for Vancouver is in the program: the tool of Natural Resources Canada gives it",
     ),
     (
         "Jakarta",
-        "the values of Jakarta are those of the map of SNI 1726",
+        "no value for Jakarta is in the program: the map of SNI 1726 gives it",
     ),
 ];
 

@@ -390,9 +390,9 @@ impl Place {
         match self.fault_distance_km {
             None => words,
             Some(km) if km >= FAR_KM => {
-                format!("{words}, no fault within {} km", number(FAR_KM, 3))
+                format!("{words}, no major fault within {} km", number(FAR_KM, 3))
             }
-            Some(km) => format!("{words}, a fault {} km away", number(km, 3)),
+            Some(km) => format!("{words}, a major fault {} km away", number(km, 3)),
         }
     }
 
@@ -480,7 +480,7 @@ answer_of!(Place as place {
     fault_distance_km: Option<f64>;
     latitude_deg: Option<f64> = place.coordinates.map(|at| at.latitude_deg);
     longitude_deg: Option<f64> = place.coordinates.map(|at| at.longitude_deg);
-    /// From the coordinates that were asked for to the place, or to the nearest node of the grid.
+    /// The distance from the requested coordinates to the place, or to the nearest node of the grid.
     distance_km: Option<f64>;
     source: &'static str;
     /// How far the values can be trusted.

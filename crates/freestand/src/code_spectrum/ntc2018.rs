@@ -74,7 +74,7 @@ impl Ntc2018 {
     /// The spectrum of a point on a ground.
     ///
     /// # Reference
-    /// NTC 2018 (decree of 17 January 2018), 3.2.3.2.1, Eqs. 3.2.2 to 3.2.7, Tables 3.2.IV to 3.2.VI.
+    /// NTC 2018 (decree of 17 January 2018), 3.2.3.2.1, Eqs. 3.2.2 to 3.2.7, Tables 3.2.IV to 3.2.VI, quoted from memory.
     ///
     /// # Errors
     /// Values that are not positive and finite.
