@@ -352,7 +352,9 @@ impl Object {
                 read.problems.push(
                     Problem::value(
                         format!("`{key}` does not apply: the motions of the floor are given"),
-                        format!("leave `{key}` out: a record from near a fault already has its pulse"),
+                        format!(
+                            "leave `{key}` out: a record from near a fault already has its pulse"
+                        ),
                     )
                     .of(&[key]),
                 );

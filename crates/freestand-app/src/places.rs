@@ -143,6 +143,7 @@ fn shown(name: &str) -> Result<Place, Problem> {
 }
 
 fn told(why: &NotFound, text: &str) -> Problem {
-    let bring = "a peak ground acceleration, a code with its values or a spectrum can be given instead";
+    let bring =
+        "a peak ground acceleration, a code with its values or a spectrum can be given instead";
     why.problem(None, text, bring)
 }

@@ -11,6 +11,9 @@ use freestand_input::words::number;
 use crate::places::{FAR_KM, PlaceHazard, TsLevel};
 use crate::target::{Target, code_name};
 
+/// Up to this return period NZS 1170.5 counts no fault as near (R up to 0.75), and so is it here for TS 1170.5 \[years\].
+const NEAR_FAULT_YEARS: u32 = 250;
+
 /// The words of the spectrum: of the two keys of a fault, NZS 1170.5 alone takes the distance.
 pub fn spectrum_words(words: &Words) -> Words {
     let mut left = words.clone();
@@ -28,21 +31,28 @@ pub fn spectrum_words(words: &Words) -> Words {
 /// Everything that is wrong with these keys.
 pub fn near_fault(words: &Words, target: Option<&Target>) -> Result<Option<NearFault>, Problems> {
     let mut reader = WordReader::new(words);
-    let of_place_km = target.and_then(|target| match &target.spectrum {
-        CodeSpectrum::Nzs1170_5(code) if code.is_near_fault() => code.fault_distance_km(),
-        // The table of the settlement has a distance for each return period.
+    let of_place = target.and_then(|target| match &target.spectrum {
+        CodeSpectrum::Nzs1170_5(code) if code.is_near_fault() => {
+            Some((code.fault_distance_km()?, None))
+        }
+        // The table of the settlement has a distance and a magnitude for each return period.
         CodeSpectrum::Ts1170_5(code) => {
             let PlaceHazard::Ts1170_5 { table } = target.place.as_ref()?.hazard else {
                 return None;
             };
-            let level = TsLevel::all(table).find(|level| level.years == code.return_period_years());
-            level?.fault_distance_km.filter(|km| *km < FAR_KM)
+            let years = code.return_period_years();
+            let level = TsLevel::all(table).find(|level| level.years == years)?;
+            let is_rare = years > NEAR_FAULT_YEARS;
+            let km = level
+                .fault_distance_km
+                .filter(|km| *km < FAR_KM && is_rare)?;
+            Some((km, level.magnitude))
         }
         _ => None,
     });
-    let is_known = reader.has("fault_distance") || of_place_km.is_some();
+    let is_known = reader.has("fault_distance") || of_place.is_some();
     let stated_m = reader.non_negative("fault_distance", Dimension::Length);
-    let distance_m = stated_m.or(of_place_km.map(|km| km * 1e3));
+    let distance_m = stated_m.or(of_place.map(|(km, _)| km * 1e3));
     if let Some(distance_m) = distance_m.filter(|far| *far > MOST_FAULT_DISTANCE_M) {
         let message = format!(
             "`fault_distance` must be at most {} km, not {} km",
@@ -72,6 +82,7 @@ pub fn near_fault(words: &Words, target: Option<&Target>) -> Result<Option<NearF
             "give `fault_distance = \"5 km\"`, or leave `fault_magnitude` out",
         );
     }
+    let magnitude = magnitude.or(of_place.and_then(|(_, magnitude)| magnitude));
     let fault = distance_m.and_then(|distance_m| NearFault::new(distance_m, magnitude).ok());
     // N(T, D) raises the target for the same pulses.
     let is_in_target = target.is_some_and(
@@ -128,6 +139,13 @@ mod tests {
             Some((9.0, None))
         );
         assert_eq!(fault("place = \"Auckland\""), None);
+        // TS 1170.5:2025, Table 3.1, has the magnitude as well.
+        assert_eq!(
+            fault("place = \"Masterton\"\ncode = \"ts1170.5\""),
+            Some((6.0, Some(7.9)))
+        );
+        let rarer = "place = \"Masterton\"\ncode = \"ts1170.5\"\nreturn_period_years = 250";
+        assert_eq!(fault(rarer), None);
         // R = 0.5: the code counts no fault as near; whoever states one has it.
         let rarer = "place = \"Kaikoura\"\nreturn_period_years = 100";
         assert_eq!(fault(rarer), None);

@@ -520,7 +520,9 @@ impl Reader<'_, '_> {
         if carries(&mut self.read, block) == Some(false) {
             return (Kind::Rigid, self.rigid(object, block, is_still));
         }
-        let has_across = self.read.has("motion_y") || self.read.has("components");
+        let has_across = ["motion_y", "components", "orientation"]
+            .map(|key| self.read.has(key))
+            .contains(&true);
         if has_across && self.read.has("width") {
             // Across the thickness it must not rock either.
             let width_m = self.read.positive("width", Dimension::Length);
@@ -528,7 +530,11 @@ impl Reader<'_, '_> {
             let across =
                 across.and_then(|((height_m, _), width_m)| Block::uniform(height_m, width_m).ok());
             if carries(&mut self.read, across) == Some(false) {
-                return (Kind::Rigid, None);
+                self.read.note(
+                    &["width"],
+                    "it rocks across its width before it slides or rolls, which is not calculated under two directions",
+                    "leave the second direction out, or give the friction that lets it slide",
+                );
             }
         }
         let orientation_rad = self.read.quantity("orientation", Dimension::Angle);

@@ -144,6 +144,7 @@ impl RestraintQuestion {
             building_period_s: building.map(|building| building.along.period_s()),
             spectrum: study
                 .restraint_target()
+                .filter(|target| target.has_parts())
                 .map(|target| target.parts_spectrum().clone()),
             parts_edition: study
                 .restraint_target()

@@ -1,5 +1,7 @@
 //! A place by its name or its coordinates, and what comes near to what was written.
 
+use std::sync::LazyLock;
+
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{canonical, number};
@@ -139,6 +141,8 @@ impl Place {
         if two_numbers(text).is_some() {
             return at(Coordinates::parse(text)?, code);
         }
+        static CALLED: LazyLock<Vec<Called>> =
+            LazyLock::new(|| places().iter().map(Called::new).collect());
         let wanted = canonical(text);
         if let Some((_, why)) = REFUSED
             .iter()
@@ -148,9 +152,10 @@ impl Place {
         }
         let mut found: Vec<(usize, &Self)> = places()
             .iter()
+            .zip(&*CALLED)
             .enumerate()
-            .filter(|(_, place)| place.is_called(&wanted))
-            .map(|(row, place)| (place.rank(row), place))
+            .filter(|(_, (_, called))| called.is(&wanted))
+            .map(|(row, (place, _))| (place.rank(row), place))
             .collect();
         if let Some(code) = code
             && found.iter().any(|(_, place)| place.hazard.code() == code)
@@ -164,28 +169,25 @@ impl Place {
         found.retain(|(other, place)| {
             *other == rank || *other == 1 && place.country != first.country
         });
+        // Some parishes stand twice in the table, with the same values.
+        found.dedup_by(|(_, one), (_, other)| {
+            one.full_name() == other.full_name() && one.hazard == other.hazard
+        });
         let is_one_of_the_table =
             |(other, place): &(usize, &Self)| *other == 0 && place.country == first.country;
         if found.len() > 1 && !found.iter().all(is_one_of_the_table) {
             let names = found.iter().map(|(_, place)| place.full_name());
             return Err(NotFound::Several(names.collect()));
         }
+        // A parish may have the name of a city that is not in the table, such as La Paz.
+        if first.is_parish() && first.names().any(|name| canonical(name) == wanted) {
+            return Err(NotFound::Unknown(vec![first.full_name()]));
+        }
         let mut meant = first.clone();
         if let PlaceHazard::Ntc2018 { at } = meant.hazard {
             meant.distance_km = grid::node_distance_km(at);
         }
         Ok(meant)
-    }
-
-    /// Whether it has this canonical name, with or without its state or country behind it.
-    fn is_called(&self, wanted: &str) -> bool {
-        self.names().any(|name| {
-            let rest = wanted.strip_prefix(&canonical(name));
-            rest.is_some_and(|rest| {
-                let rest = rest.trim_start();
-                rest.is_empty() || rest == canonical(self.region) || is_country(rest, self.country)
-            })
-        })
     }
 
     /// 0 for the table by hand, 1 for cities, 2 for municipalities and parishes: a name means one of the lowest rank.
@@ -195,6 +197,34 @@ impl Place {
             "Portugal" | "Ecuador" => 2,
             _ => 1,
         }
+    }
+}
+
+/// What a place is called, in canonical words.
+struct Called {
+    names: Vec<String>,
+    region: String,
+    country: &'static str,
+}
+
+impl Called {
+    fn new(place: &Place) -> Self {
+        Self {
+            names: place.names().map(canonical).collect(),
+            region: canonical(place.region),
+            country: place.country,
+        }
+    }
+
+    /// Whether these are its name, with or without its state or country behind it.
+    fn is(&self, wanted: &str) -> bool {
+        self.names.iter().any(|name| {
+            let rest = wanted.strip_prefix(name.as_str());
+            rest.is_some_and(|rest| {
+                let rest = rest.trim_start();
+                rest.is_empty() || rest == self.region || is_country(rest, self.country)
+            })
+        })
     }
 }
 

@@ -27,6 +27,12 @@ pub struct Coordinates {
 const EARTH_KM: f64 = 6371.0;
 
 impl Coordinates {
+    /// Whether a point of the grid of Italy may lie in France, Switzerland, Austria or Slovenia: north of the plain of the
+    /// Po, or west of Savona. The grid has no border, and its cells reach some kilometres beyond it.
+    fn is_near_the_border_of_italy(self) -> bool {
+        self.latitude_deg > 45.3 || self.longitude_deg < 7.8
+    }
+
     /// The distance on a sphere \[km\].
     ///
     /// # Example
@@ -146,6 +152,8 @@ pub const TBDY_YEARS: [u32; 2] = [475, 2475];
 pub struct TsLevel {
     /// Return period \[years\].
     pub years: u32,
+    /// The mean magnitude of the earthquakes behind the values.
+    pub magnitude: Option<f64>,
     /// To the nearest fault; [`FAR_KM`] stands for more, `None` where the table has none \[km\].
     pub fault_distance_km: Option<f64>,
     /// For each class.
@@ -160,7 +168,7 @@ impl TsLevel {
 
     fn read(row: &str) -> Option<Self> {
         let fields: Vec<&str> = row.split(',').collect();
-        let [years, _magnitude, distance, numbers @ ..] = fields.as_slice() else {
+        let [years, magnitude, distance, numbers @ ..] = fields.as_slice() else {
             return None;
         };
         let numbers: Vec<f64> = numbers
@@ -180,6 +188,7 @@ impl TsLevel {
         let mut next = || values.next().flatten();
         Some(Self {
             years: years.parse().ok()?,
+            magnitude: magnitude.parse().ok(),
             fault_distance_km: distance.parse().ok(),
             values: [next()?, next()?, next()?, next()?, next()?, next()?],
         })
@@ -369,6 +378,22 @@ impl Place {
         }
     }
 
+    /// Its name for an answer: with its state and country unless it is one of the table by hand, which has no two of a name.
+    pub fn told_name(&self) -> String {
+        let mut by_hand = places().iter().take(rows::by_hand());
+        if self.is_point()
+            || by_hand.any(|place| place.source == self.source && place.name == self.name)
+        {
+            return self.name.to_string();
+        }
+        format!("{}, {}", self.name, self.whereabouts())
+    }
+
+    /// Whether it is a part of a municipality, as in Ecuador.
+    fn is_parish(&self) -> bool {
+        self.country == "Ecuador" && self.region.contains(',')
+    }
+
     /// Whether it is a point of a grid, whose name is its coordinates.
     pub fn is_point(&self) -> bool {
         matches!(self.name, Cow::Owned(_))
@@ -432,6 +457,11 @@ impl Place {
                 "{approximate}, and the shape of its spectrum is the one that EN 1998-1 recommends, because the national \
                  annex was not read: confirm it in the national annex before you rely on it"
             )),
+            PlaceHazard::Ntc2018 { at } if self.is_point() && at.is_near_the_border_of_italy() => {
+                Some(format!(
+                    "the grid of NTC 2018 reaches beyond the border: its values hold for {name} only if that is in Italy"
+                ))
+            }
             _ => is_approximate.then(|| {
                 format!("{approximate}: confirm it in the national annex before you rely on it")
             }),

@@ -16,7 +16,8 @@ pub fn places() -> &'static [Place] {
 
 /// How many places there are in the table by hand.
 pub(super) fn by_hand() -> usize {
-    lines(include_str!("places.csv")).count()
+    static COUNT: LazyLock<usize> = LazyLock::new(|| lines(include_str!("places.csv")).count());
+    *COUNT
 }
 
 /// The rows of the tables.

@@ -28,7 +28,7 @@ use words::Remedies;
 pub use words::period_code;
 pub(crate) use words::{code_name, key_of_other_code};
 
-use crate::places::{Confidence, Place};
+use crate::places::{Confidence, Place, PlaceHazard};
 use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
@@ -126,7 +126,7 @@ impl Target {
 
     /// The name of the place whose hazard was used.
     pub fn place_name(&self) -> Option<String> {
-        self.place.as_ref().map(|place| place.name.to_string())
+        self.place.as_ref().map(Place::told_name)
     }
 
     /// Hazard factor Z, if the code has one \[g\].
@@ -164,6 +164,13 @@ impl Target {
             .as_ref()
             .filter(|other| other.sa_g(0.0) > self.spectrum.sa_g(0.0));
         larger.unwrap_or(&self.spectrum)
+    }
+
+    /// Whether the clauses of its code for parts are those of the place: a place of which the spectrum has only the shape of
+    /// Eurocode 8 has a code of its own.
+    pub fn has_parts(&self) -> bool {
+        let hazard = self.place.as_ref().map(|place| place.hazard);
+        !matches!(hazard, Some(PlaceHazard::Shape { .. }))
     }
 
     /// The type of its spectrum, by Eurocode 8.

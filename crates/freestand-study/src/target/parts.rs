@@ -11,7 +11,7 @@ use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
 use super::named::named_place;
 use super::words::{self, Remedies};
-use crate::places::Place;
+use crate::places::{Place, PlaceHazard};
 
 impl Target {
     /// The code for parts that words with the keys of a spectrum describe.
@@ -55,6 +55,14 @@ impl Target {
             );
             let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
             let key = named_place(words).map_or("code", |(key, _)| key);
+            return Err(Problem::value(message, hint).of(&[key]).into());
+        }
+        if let (None, Some((key, text))) = (code, named_place(words))
+            && let Ok(place) = Place::look_up(&text, None)
+            && let PlaceHazard::Shape { by, .. } = place.hazard
+        {
+            let message = format!("the clauses of {by} for parts are not in the program");
+            let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
             return Err(Problem::value(message, hint).of(&[key]).into());
         }
         if code == Some(Code::Table) {
@@ -229,6 +237,10 @@ mod tests {
             (
                 &[("place", "Istanbul")],
                 "the clauses of TBDY 2018 for parts are not in the program",
+            ),
+            (
+                &[("place", "Quito")],
+                "the clauses of NEC-SE-DS 2015 for parts are not in the program",
             ),
             (&[("place", "Wellinton")], "is not in the table of places"),
             (

@@ -72,7 +72,8 @@ fn named_places() -> Vec<Value> {
         } else {
             place.full_name()
         };
-        told.insert(name.clone()).then(|| {
+        let finds_it = is_found || Place::find(&name).is_some_and(|found| found == *place);
+        (finds_it && told.insert(name.clone())).then(|| {
             json!({
                 "name": name, "region": Some(place.region).filter(|region| !region.is_empty()), "country": place.country,
                 "code": place.hazard.code(), "confidence": place.confidence.name(),
