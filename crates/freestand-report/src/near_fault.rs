@@ -29,8 +29,7 @@ pub(crate) fn near_fault_words(study: &Study) -> Option<String> {
         }
     };
     Some(format!(
-        "{} of the worlds have a velocity pulse, as near a fault: the earthquake is on the one {km} km away, its \
-         magnitude {magnitude}",
+        "{} of the worlds have a velocity pulse: the earthquake is on a fault {km} km away, and its magnitude is {magnitude}",
         percent_significant(share, 2)
     ))
 }

@@ -467,9 +467,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             .two_spectra_words()
             .map(|words| format!("Assumed: {words}.")),
     );
-    assumed.extend(near_fault_words(study).map(|words| {
-        format!("Assumed: {words}; the mean of ln Sa over all worlds is that of the target.")
-    }));
+    assumed.extend(near_fault_words(study).map(|words| format!("Assumed: {words}.")));
     assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
         format!(
