@@ -190,8 +190,7 @@ fn what_is_said_of_a_fault() {
     assert_eq!(
         assumptions,
         [
-            "Assumed: 52 % of the worlds have a velocity pulse, as near a fault: the earthquake is on the one 2 km away, \
-             its magnitude 7; the mean of ln Sa over all worlds is that of the target."
+            "Assumed: 52 % of the worlds have a velocity pulse: the earthquake is on a fault 2 km away, and its magnitude is 7."
         ]
     );
     assert!(pulses > 0 && pulses < 20, "{pulses}");
@@ -222,8 +221,7 @@ fn what_is_said_of_a_fault() {
     assert_eq!(
         of_object(&[("place", "Athens"), ("fault_distance", "5 km")]),
         [
-            "33 % of the worlds have a velocity pulse, as near a fault: the earthquake is on the one 5 km away, its \
-             magnitude from 6.5 to 7, because none was given"
+            "33 % of the worlds have a velocity pulse: the earthquake is on a fault 5 km away, and its magnitude is from 6.5 to 7, because none was given"
         ]
     );
 }
