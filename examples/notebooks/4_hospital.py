@@ -40,7 +40,7 @@ cylinders["p_overturn"]                 # → 1.0
 
 # %%
 print(cylinders["why"])
-objects["close_call"].sum()             # → 5
+objects["close_call"].sum()             # → 4
 
 # %%
 import matplotlib.pyplot as plt
