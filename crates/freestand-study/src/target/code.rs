@@ -82,25 +82,13 @@ impl Code {
     }
 
     /// The keys that it takes, in addition to `code`.
-    pub(super) fn keys(self) -> &'static [&'static str] {
-        match self {
-            Self::As1170_4 => &[
-                "edition",
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
-                "hazard_factor",
-                "return_period_years",
-            ],
+    pub(super) fn keys(self) -> Vec<&'static str> {
+        /// Every code takes a place and a class of its ground.
+        const PLACE: [&str; 5] = ["site", "place", "city", "latitude", "longitude"];
+        let own: &[&str] = match self {
+            Self::As1170_4 => &["edition", "hazard_factor", "return_period_years"],
             Self::Eurocode8 => &[
                 "edition",
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
                 "spectrum_type",
                 "ground_acceleration",
                 "importance_factor",
@@ -109,11 +97,6 @@ impl Code {
             ],
             Self::Asce7 => &[
                 "edition",
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
                 "sds",
                 "sd1",
                 "ss",
@@ -124,44 +107,16 @@ impl Code {
             ],
             Self::Nzs1170_5 => &[
                 "edition",
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
                 "hazard_factor",
                 "return_period_years",
                 "fault_distance",
             ],
-            Self::Ntc2018 => &[
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
-                "return_period_years",
-                "topography",
-            ],
-            Self::Tbdy2018 => &[
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
-                "return_period_years",
-                "ss",
-                "s1",
-            ],
-            Self::Ts1170_5 => &[
-                "site",
-                "place",
-                "city",
-                "latitude",
-                "longitude",
-                "return_period_years",
-            ],
-            Self::Table => &["spectrum", "interpolation", "beyond"],
-        }
+            Self::Ntc2018 => &["return_period_years", "topography"],
+            Self::Tbdy2018 => &["return_period_years", "ss", "s1"],
+            Self::Ts1170_5 => &["return_period_years"],
+            Self::Table => return vec!["spectrum", "interpolation", "beyond"],
+        };
+        [&PLACE[..], own].concat()
     }
 }
 

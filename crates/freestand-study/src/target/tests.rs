@@ -368,7 +368,6 @@ fn the_lists_of_words_agree() {
     let mut of_codes: Vec<&str> = CODES
         .iter()
         .flat_map(|(_, code)| code.keys())
-        .copied()
         .chain(["code", "fault_magnitude"])
         .collect();
     of_codes.sort_unstable();
