@@ -145,6 +145,31 @@ await story('a newcomer gets the sentence of the program and sees the fall', {},
   assert.match(await commandOf(page, '#command'), /^freestand object --height "1.8 m"/);
 });
 
+await story('why tall things sometimes stand, and the words in the drawer', {}, async (page) => {
+  await page.click('#tab-learn');
+  const told = (i) => page.locator('#panel-learn .stage h2').nth(i);
+  const small = { size: said('spectra.size', { height: '800 mm', thickness: '200 mm' }) };
+  await page.waitForSelector('#learn-1-stage', PATIENT);
+  assert.equal(await told(0).textContent(), said('learn.falls', small));
+  // The larger one of the same shape lifts at the same acceleration, and stands.
+  assert.match(await told(1).textContent(), /^2\.00 m × 500 mm: .* stands$/);
+  assert.equal(await page.textContent('#learn-lift'), said('learn.lift', { g: '0.25' }));
+  // A push below that lifts neither.
+  await page.$eval('#learn-peak', (one) => { one.value = '0.24'; one.dispatchEvent(new Event('input', { bubbles: true })); });
+  await page.waitForFunction((text) => document.querySelector('#panel-learn .stage h2').textContent === text, said('learn.still', small), PATIENT);
+  await accessible(page, 'learn');
+  await picture(page, 'learn');
+  await page.click('#learn-gallery button:has-text("Quito")');
+  assert.match(await page.getAttribute('#learn-gallery a', 'href'), /^#\/fall\?place=Quito&height=/);
+  await page.click('#help');
+  assert.ok(await page.isVisible('#terms'));
+  await accessible(page, 'help');
+  await page.keyboard.press('Escape');
+  assert.ok(!(await page.isVisible('#terms')));
+  await page.setViewportSize({ width: 390, height: 844 });
+  await fits(page);
+});
+
 await story('a wider base changes the sentence; what is wrong is said', { long: true }, async (page) => {
   await answered(page);
   const first = await page.textContent('#answer');
