@@ -9,6 +9,8 @@ use std::process::Command;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::tools::{ended, run, told};
+
 /// Where the program itself is, in the workspace.
 const PROGRAM: &str = "crates/freestand-cli";
 /// What is inside the page that the program hands out.
@@ -489,36 +491,6 @@ fn asked(program: &Path, arguments: &[&str]) -> Result<Vec<u8>, String> {
     )
 }
 
-fn run(folder: &Path, program: &str, arguments: &[&str]) -> Result<(), String> {
-    let status = Command::new(program)
-        .args(arguments)
-        .current_dir(folder)
-        .status();
-    let name = format!("{program} {}", arguments.join(" "));
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{status}: {name}")),
-        Err(error) => Err(format!("cannot run {name}: {error}")),
-    }
-}
-
-/// The output of a program that ended well.
-fn ended(name: &str, output: std::io::Result<std::process::Output>) -> Result<Vec<u8>, String> {
-    match output {
-        Ok(output) if output.status.success() => Ok(output.stdout),
-        Ok(output) => Err(format!(
-            "{name}: {}: {}",
-            output.status,
-            String::from_utf8_lossy(&output.stderr)
-        )),
-        Err(error) => Err(format!("cannot run {name}: {error}")),
-    }
-}
-
 fn text(value: &Value) -> String {
     value.as_str().unwrap_or_default().to_owned()
-}
-
-fn told(path: &Path) -> impl Fn(std::io::Error) -> String + '_ {
-    move |error| format!("{}: {error}", path.display())
 }

@@ -6,7 +6,7 @@
 //! fetches from PyPI. `cargo xtask ui`: builds the page that `freestand serve` hands out; the
 //! result is committed. `cargo xtask generate`: the schemas in docs/schema and the table of bad requests, from the
 //! structs of the requests. `cargo xtask wheel [--out DIR]`: the Python package with the program
-//! inside, as it is published. `cargo xtask dist [--out DIR]`: an archive and a Debian package of the program. `cargo xtask python`: its tests alone, on a wheel of the dev
+//! inside, as it is published. `cargo xtask dist [--out DIR]`: an archive and a Debian package of the program. `cargo xtask site [--out DIR]`: all documents as pages in one folder. `cargo xtask python`: its tests alone, on a wheel of the dev
 //! profile. `cargo xtask shake-table [--data DIR]`: two rocks on a shake table, measured and calculated; the tests are not
 //! in the repository. `cargo xtask same COMMIT`: the outputs of two hundred commands, compared with another
 //! commit.
@@ -25,7 +25,9 @@ mod page;
 mod python;
 mod risk_tools;
 mod same;
+mod site;
 mod source;
+mod tools;
 mod validate_shock;
 
 use std::path::{Path, PathBuf};
@@ -34,6 +36,7 @@ use std::process::ExitCode;
 use checks::Check;
 
 const USAGE: &str = "usage: cargo xtask test [--all] | check NAME [--all] | arrows | ui | generate | wheel [--out DIR] | dist [--out DIR] | \
+                     site [--out DIR] | \
                      python [--all] | validate-shock | risk-tools | shake-table [--data DIR] | same COMMIT [WORDS]";
 
 fn main() -> ExitCode {
@@ -81,6 +84,12 @@ fn main() -> ExitCode {
         ("wheel", [flag, out]) if flag == "--out" => wheel(&root, &PathBuf::from(out)),
         ("dist", []) => dist(&root, &root.join("target/dist")),
         ("dist", [flag, out]) if flag == "--out" => dist(&root, Path::new(out)),
+        ("site", []) => site::site(&root, &root.join("target/pages")).map(|()| true),
+        ("site", [flag, out]) if flag == "--out" => {
+            let out = std::path::absolute(out);
+            let out = out.map_err(|error| error.to_string());
+            out.and_then(|out| site::site(&root, &out)).map(|()| true)
+        }
         ("python", []) => python::test(&root, all).map(|()| true).map_err(told),
         _ => {
             eprintln!("{USAGE}");

@@ -25,6 +25,9 @@ const TEST: [&str; 8] = [
     "matplotlib>=3.8",
 ];
 
+/// What makes pages of its docstrings.
+const PAGES: [&str; 1] = ["pdoc>=16,<17"];
+
 /// Packages for the tests of Dask, polars and DuckDB and for the notebooks, which are left out if
 /// the packages cannot be installed.
 const MORE: [&str; 7] = [
@@ -162,19 +165,8 @@ pub fn test(root: &Path, all: bool) -> Result<(), Trouble> {
         }
         (Profile::Dev, "not long")
     };
-    let wheel = wheel(root, &root.join("target/wheels-tested"), profile)?;
-    let wheel = wheel.to_string_lossy();
+    put_in(root, profile)?;
     let python = python(root);
-    let pip = [
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-        "--no-deps",
-        "--force-reinstall",
-    ];
-    run(root, &python, &[&pip[..], &[&*wheel]].concat())?;
     let package = root.join(CRATE);
     let mut wrong = Vec::new();
     let mut checks = vec![
@@ -216,7 +208,48 @@ pub fn test(root: &Path, all: bool) -> Result<(), Trouble> {
     }
 }
 
-fn target(root: &Path) -> PathBuf {
+/// Builds the wheel and installs it in the environment.
+fn put_in(root: &Path, profile: Profile) -> Result<(), Trouble> {
+    let wheel = wheel(root, &root.join("target/wheels-tested"), profile)?;
+    let pip = [
+        "-m",
+        "pip",
+        "install",
+        "--quiet",
+        "--disable-pip-version-check",
+        "--no-deps",
+        "--force-reinstall",
+    ];
+    run(
+        root,
+        python(root),
+        &[&pip[..], &[&*wheel.to_string_lossy()]].concat(),
+    )
+}
+
+/// The pages of a site about the package: `python/` from its docstrings, `notebooks/` with their results.
+pub fn pages(root: &Path, site: &Path) -> Result<(), String> {
+    let made = || {
+        install(root, &[&BUILD[..], &TEST[..], &PAGES[..]].concat())?;
+        install(root, &MORE)?;
+        put_in(root, Profile::Dev)?;
+        let [package, notebooks] =
+            ["python", "notebooks"].map(|name| site.join(name).to_string_lossy().into_owned());
+        let pdoc = ["-m", "pdoc", "--docformat", "numpy", "--output-directory"];
+        run(
+            root,
+            python(root),
+            &[&pdoc[..], &[&package, "freestand"]].concat(),
+        )?;
+        let run_all = ["examples/notebooks/run.py", "--out", &notebooks];
+        run(root, python(root), &run_all)
+    };
+    made().map_err(|trouble| match trouble {
+        Trouble::NotHere(why) | Trouble::Wrong(why) => why,
+    })
+}
+
+pub fn target(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
 

@@ -1,0 +1,397 @@
+//! The site: one folder of pages that loads nothing from elsewhere. mdBook makes it from the documents of the repository;
+//! the pages of commands follow from the program and its schemas, those of the libraries come from pdoc and rustdoc.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Component, Path, PathBuf};
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::python;
+use crate::tools::{ended, run, told};
+
+/// What lists the pages, and how they look.
+const SOURCE: &str = "xtask/site";
+/// Where mdBook is installed: it is needed for this alone.
+const TOOLS: &str = "target/tools";
+const MDBOOK: &str = "0.5.4";
+/// A file that a page shows or offers, at most \[bytes\].
+const LARGEST: u64 = 4_000_000;
+
+/// Builds the site into a folder, and follows every link.
+pub fn site(root: &Path, out: &Path) -> Result<(), String> {
+    let book = root.join(TOOLS).join("bin/mdbook");
+    if !book.exists() {
+        let version = ["install", "mdbook", "--locked", "--version", MDBOOK];
+        let lean = [
+            "--no-default-features",
+            "--features",
+            "search",
+            "--root",
+            TOOLS,
+        ];
+        run(root, "cargo", &[&version[..], &lean].concat())?;
+    }
+    let staged = root.join("target/site");
+    if staged.exists() {
+        fs::remove_dir_all(&staged).map_err(told(&staged))?;
+    }
+    let pages = Pages {
+        root: root.to_owned(),
+        to: staged.join("src"),
+    };
+    let commands = pages.commands()?;
+    let summary = read(&root.join(SOURCE).join("SUMMARY.md"))?.replace("{commands}\n", &commands);
+    pages.write("SUMMARY.md", &summary)?;
+    pages.write(
+        "reference/python.md",
+        "# Python API\n\n[Every function and class, with its parameters, results and examples](../python/freestand.html).\n",
+    )?;
+    pages.write(
+        "reference/rust.md",
+        "# Rust API\n\n[The crate `freestand`](../rust/freestand/index.html): the science, each equation with its source.\n",
+    )?;
+    pages.notebooks()?;
+    let written: Vec<&str> = links(&summary).collect();
+    for page in written
+        .iter()
+        .filter(|page| !page.starts_with("reference/"))
+    {
+        pages.page(page, &written)?;
+    }
+    let settings = staged.join("book.toml");
+    fs::copy(root.join(SOURCE).join("book.toml"), &settings).map_err(told(&settings))?;
+    run(&staged, &book.to_string_lossy(), &["build"])?;
+    let built = staged.join("book");
+
+    run(
+        root,
+        "cargo",
+        &[
+            "doc",
+            "--locked",
+            "--quiet",
+            "--no-deps",
+            "--package",
+            "freestand",
+            "--package",
+            "freestand-rocking",
+        ],
+    )?;
+    copy_folder(&python::target(root).join("doc"), &built.join("rust"))?;
+    python::pages(root, &built)?;
+
+    let faults = faults(&built)?;
+    if !faults.is_empty() {
+        return Err(faults.join("\n"));
+    }
+    if out.exists() {
+        // Only a site is replaced.
+        if !out.join("searchindex.js").exists() && !has_search(out) && !is_empty(out) {
+            return Err(format!("{} has other files than a site", out.display()));
+        }
+        fs::remove_dir_all(out).map_err(told(out))?;
+    }
+    copy_folder(&built, out)?;
+    println!("{}: open index.html there", out.display());
+    Ok(())
+}
+
+fn is_empty(folder: &Path) -> bool {
+    fs::read_dir(folder).is_ok_and(|mut files| files.next().is_none())
+}
+
+/// mdBook names the index of its search after its content.
+fn has_search(folder: &Path) -> bool {
+    let files = fs::read_dir(folder).into_iter().flatten().flatten();
+    files.into_iter().any(|file| {
+        file.file_name()
+            .to_string_lossy()
+            .starts_with("searchindex")
+    })
+}
+
+/// Where pages come from and go to.
+struct Pages {
+    root: PathBuf,
+    to: PathBuf,
+}
+
+impl Pages {
+    fn write(&self, page: &str, text: &str) -> Result<(), String> {
+        let to = self.to.join(page);
+        if let Some(folder) = to.parent() {
+            fs::create_dir_all(folder).map_err(told(folder))?;
+        }
+        fs::write(&to, text).map_err(told(&to))
+    }
+
+    /// A document as it is, but for links to what the site has elsewhere, with the files that it shows.
+    fn page(&self, page: &str, pages: &[&str]) -> Result<(), String> {
+        let mut text = read(&self.root.join(page))?;
+        let folder = Path::new(page).parent().unwrap_or(Path::new(""));
+        let targets: BTreeSet<String> = links(&text).map(str::to_owned).collect();
+        for target in targets {
+            let (path, anchor) = target.split_once('#').unwrap_or((&target, ""));
+            if path.is_empty() || path.contains(':') {
+                continue;
+            }
+            let from_root = normal(&folder.join(path));
+            let source = self.root.join(&from_root);
+            let readme = from_root.join("README.md");
+            let readme_text = readme.to_string_lossy().replace('\\', "/");
+            let new = if source.is_dir() && pages.contains(&readme_text.as_str()) {
+                format!("{}/README.md", path.trim_end_matches('/'))
+            } else if source.is_dir() && self.root.join(&readme).exists() {
+                // Only some documents are pages; the others are read as they are.
+                self.file(&readme)?;
+                format!("{}/README.md.txt", path.trim_end_matches('/'))
+            } else if source.is_dir() {
+                text = text.replace(
+                    &format!("]({target})"),
+                    &format!("] (`{}`)", from_root.display()),
+                );
+                continue;
+            } else if path.ends_with(".md") && pages.contains(&from_root.to_string_lossy().as_ref())
+            {
+                continue;
+            } else {
+                self.file(&from_root)
+                    .map_err(|problem| format!("{page}: {problem}"))?;
+                match path.ends_with(".md") {
+                    true => format!("{path}.txt"),
+                    false => continue,
+                }
+            };
+            let hash = if anchor.is_empty() { "" } else { "#" };
+            text = text.replace(&format!("]({target})"), &format!("]({new}{hash}{anchor})"));
+        }
+        self.write(page, &text)
+    }
+
+    /// A file that a page shows or offers; a document that is no page, as text.
+    fn file(&self, from_root: &Path) -> Result<(), String> {
+        let from = self.root.join(from_root);
+        let size = fs::metadata(&from).map_err(told(&from))?.len();
+        if size > LARGEST {
+            return Err(format!("{} is too large for the site", from_root.display()));
+        }
+        let is_document = from_root.extension().is_some_and(|ending| ending == "md");
+        let mut to = self.to.join(from_root).into_os_string();
+        if is_document {
+            to.push(".txt");
+        }
+        let to = PathBuf::from(to);
+        if let Some(folder) = to.parent() {
+            fs::create_dir_all(folder).map_err(told(folder))?;
+        }
+        fs::copy(&from, &to).map(|_| ()).map_err(told(&to))
+    }
+
+    /// A page for each command: its help, what a request may contain, and what its document has. The lines of the
+    /// summary for them.
+    fn commands(&self) -> Result<String, String> {
+        let mut names: Vec<String> = files_of(&self.root.join("docs/schema"))?
+            .iter()
+            .filter_map(|path| {
+                let name = path.file_name()?.to_string_lossy().into_owned();
+                Some(name.strip_suffix(".response.json")?.to_owned())
+            })
+            .collect();
+        names.sort();
+        run(
+            &self.root,
+            "cargo",
+            &["build", "--quiet", "--locked", "--package", "freestand-cli"],
+        )?;
+        let program = python::target(&self.root)
+            .join("debug")
+            .join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
+        let mut summary = String::new();
+        for name in names {
+            let one = [name.as_str()];
+            let two: Vec<&str> = name.splitn(2, '-').collect();
+            let help = help(&program, &one).or_else(|_| help(&program, &two))?;
+            let words = if help.1 == 1 {
+                name.clone()
+            } else {
+                name.replacen('-', " ", 1)
+            };
+            let mut page = format!(
+                "# freestand {words}\n\n```text\n{}\n```\n",
+                help.0.trim_end()
+            );
+            for (kind, title, lead) in [
+                (
+                    "request",
+                    "Keys of a request",
+                    "The same as flags, as keys of a JSON request to the page's server, and as arguments in Python.",
+                ),
+                (
+                    "response",
+                    "Values of the JSON document",
+                    "What `--json` prints, and the attributes of the result in Python.",
+                ),
+            ] {
+                let from = PathBuf::from(format!("docs/schema/{name}.{kind}.json"));
+                if !self.root.join(&from).exists() {
+                    continue;
+                }
+                self.file(&from)?;
+                let schema: Value = serde_json::from_str(&read(&self.root.join(&from))?)
+                    .map_err(|error| format!("{}: {error}", from.display()))?;
+                page += &format!(
+                    "\n## {title}\n\n{lead} [JSON schema](../../docs/schema/{name}.{kind}.json)\n\n"
+                );
+                page += &table(&schema);
+            }
+            self.write(&format!("reference/commands/{name}.md"), &page)?;
+            summary += &format!("  - [{words}](reference/commands/{name}.md)\n");
+        }
+        Ok(summary)
+    }
+
+    /// Links to the notebooks, which are run for the site.
+    fn notebooks(&self) -> Result<(), String> {
+        let mut page =
+            "# Notebooks\n\nEach was run for this page: code, results and figures.\n\n".to_owned();
+        for path in files_of(&self.root.join("examples/notebooks"))? {
+            let name = path
+                .file_stem()
+                .unwrap_or_default()
+                .to_string_lossy()
+                .into_owned();
+            if name.starts_with(|first: char| first.is_ascii_digit()) {
+                let text = read(&path)?;
+                let title = text
+                    .lines()
+                    .find_map(|line| line.strip_prefix("# # "))
+                    .unwrap_or(&name);
+                page += &format!("* [{title}](../notebooks/{name}.html)\n");
+            }
+        }
+        self.write("reference/notebooks.md", &page)
+    }
+}
+
+/// The help of a command, and of how many words its name is.
+fn help(program: &Path, words: &[&str]) -> Result<(String, usize), String> {
+    let output = Command::new(program).args(words).arg("--help").output();
+    let text = ended(&words.join(" "), output)?;
+    Ok((String::from_utf8_lossy(&text).into_owned(), words.len()))
+}
+
+/// Names, types and meanings of the values of a schema.
+fn table(schema: &Value) -> String {
+    let Some(properties) = schema["properties"].as_object() else {
+        return String::new();
+    };
+    let mut rows = "| name | type | meaning |\n|---|---|---|\n".to_owned();
+    for (name, value) in properties {
+        let kinds: Vec<&str> = match &value["type"] {
+            Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
+            kind => kind.as_str().into_iter().collect(),
+        };
+        let meaning = value["description"]
+            .as_str()
+            .unwrap_or_default()
+            .replace('|', "\\|")
+            .replace('<', "&lt;")
+            .replace('\n', " ");
+        rows += &format!("| `{name}` | {} | {meaning} |\n", kinds.join(", "));
+    }
+    rows
+}
+
+/// Where the links of a document lead, without those in code.
+fn links(text: &str) -> impl Iterator<Item = &str> {
+    let parts = text.split("](").skip(1);
+    parts.filter_map(|part| {
+        let target = part.split_once(')')?.0;
+        (!target.contains(char::is_whitespace)).then_some(target)
+    })
+}
+
+/// What is wrong with links and sources of the built pages: what they name must be there, and nothing is loaded from
+/// elsewhere.
+fn faults(built: &Path) -> Result<Vec<String>, String> {
+    let mut faults = Vec::new();
+    let mut folders = vec![built.to_owned()];
+    while let Some(folder) = folders.pop() {
+        for path in files_of(&folder)? {
+            if path.is_dir() {
+                folders.push(path);
+                continue;
+            }
+            // rustdoc and pdoc check their own.
+            let is_ours =
+                !path.starts_with(built.join("rust")) && !path.starts_with(built.join("python"));
+            if path.extension().is_none_or(|ending| ending != "html") || !is_ours {
+                continue;
+            }
+            let text = read(&path)?;
+            for attribute in ["href=\"", "src=\""] {
+                for part in text.split(attribute).skip(1) {
+                    let target = part.split('"').next().unwrap_or_default();
+                    let is_elsewhere = target.contains("://");
+                    if is_elsewhere && attribute == "src=\"" {
+                        faults.push(format!("{} loads {target}", path.display()));
+                    }
+                    let file = target.split(['#', '?']).next().unwrap_or_default();
+                    if is_elsewhere || file.is_empty() || file.contains(':') {
+                        continue;
+                    }
+                    let named = path
+                        .parent()
+                        .unwrap_or(built)
+                        .join(file.replace("%20", " "));
+                    // The page for what is not found speaks from the root of a server.
+                    if !named.exists() && !path.ends_with("404.html") {
+                        faults.push(format!(
+                            "{} names {target}, which is not there",
+                            path.display()
+                        ));
+                    }
+                }
+            }
+        }
+    }
+    Ok(faults)
+}
+
+/// A path without `.` and `..`.
+fn normal(path: &Path) -> PathBuf {
+    let mut parts = PathBuf::new();
+    for part in path.components() {
+        match part {
+            Component::ParentDir => _ = parts.pop(),
+            Component::CurDir => {}
+            part => parts.push(part),
+        }
+    }
+    parts
+}
+
+fn files_of(folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let files = fs::read_dir(folder).map_err(told(folder))?;
+    let mut files: Vec<PathBuf> = files.flatten().map(|file| file.path()).collect();
+    files.sort();
+    Ok(files)
+}
+
+fn copy_folder(from: &Path, to: &Path) -> Result<(), String> {
+    fs::create_dir_all(to).map_err(told(to))?;
+    for path in files_of(from)? {
+        let to = to.join(path.file_name().unwrap_or_default());
+        match path.is_dir() {
+            true => copy_folder(&path, &to)?,
+            false => _ = fs::copy(&path, &to).map_err(told(&to))?,
+        }
+    }
+    Ok(())
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    fs::read_to_string(path).map_err(told(path))
+}
