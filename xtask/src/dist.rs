@@ -59,7 +59,11 @@ pub fn dist(root: &Path, out: &Path) -> Result<(), String> {
     let staged = Staged::new(out)?;
     let name = format!("freestand-{version}-{host}");
     let folder = staged.0.join(&name);
+    let parts = Parts::of(&metadata["tree"])?;
     lay_out(root, &program, &folder)?;
+    // Debian looks for the licences in `copyright`.
+    let notices_file = folder.join("share/doc/freestand/copyright");
+    fs::write(&notices_file, notices(root, &parts)?).map_err(told(&notices_file))?;
 
     let seconds = seconds_of_commit(root);
     let mut made = vec![archive(&staged.0, &name, out, seconds)?];
@@ -69,7 +73,7 @@ pub fn dist(root: &Path, out: &Path) -> Result<(), String> {
         println!("skipped: no Debian package without dpkg-deb");
     }
     let bill = out.join(format!("freestand-{version}.cdx.json"));
-    let contents = bill_of_materials(root, &metadata["tree"], &version)?;
+    let contents = bill_of_materials(root, &parts)?;
     fs::write(&bill, contents).map_err(told(&bill))?;
     made.push(bill);
     let sums: Result<String, String> = made.iter().map(|path| checksum(path)).collect();
@@ -305,8 +309,128 @@ fn newest_libc(program: &Path) -> Result<String, String> {
         .ok_or_else(|| format!("{}: it names no C library", program.display()))
 }
 
+/// The crates that the program is made of.
+struct Parts<'a> {
+    packages: BTreeMap<&'a str, &'a Value>,
+    nodes: BTreeMap<&'a str, &'a Value>,
+    own: &'a str,
+    seen: BTreeSet<&'a str>,
+}
+
+impl<'a> Parts<'a> {
+    fn of(tree: &'a Value) -> Result<Self, String> {
+        let by_id = |list: &'a Value| -> BTreeMap<&'a str, &'a Value> {
+            let all = list.as_array().into_iter().flatten();
+            all.map(|one| (one["id"].as_str().unwrap_or_default(), one))
+                .collect()
+        };
+        let packages = by_id(&tree["packages"]);
+        let own = packages
+            .iter()
+            .find(|(_, package)| package["name"] == "freestand-cli");
+        let own = *own.ok_or("the program is not among the packages")?.0;
+        let mut parts = Self {
+            packages,
+            nodes: by_id(&tree["resolve"]["nodes"]),
+            own,
+            seen: BTreeSet::new(),
+        };
+        let mut next = vec![own];
+        while let Some(id) = next.pop() {
+            if parts.seen.insert(id) {
+                next.extend(parts.below(id));
+            }
+        }
+        Ok(parts)
+    }
+
+    /// What goes into a crate.
+    fn below(&self, id: &str) -> Vec<&'a str> {
+        let dependencies = self.nodes.get(id).and_then(|node| node["deps"].as_array());
+        let goes_in = |dependency: &&Value| {
+            let kinds = dependency["dep_kinds"].as_array();
+            kinds.is_some_and(|kinds| kinds.iter().any(|kind| kind["kind"].is_null()))
+        };
+        let dependencies = dependencies.into_iter().flatten().filter(goes_in);
+        dependencies
+            .filter_map(|dependency| dependency["pkg"].as_str())
+            .collect()
+    }
+
+    fn package(&self, id: &str) -> &'a Value {
+        self.packages.get(id).copied().unwrap_or(&Value::Null)
+    }
+
+    /// Name, version and licence of a crate; the licence as an expression.
+    fn named(&self, id: &str) -> [String; 3] {
+        let package = self.package(id);
+        // An old way to write OR.
+        let license = text(&package["license"])
+            .replace(" / ", " OR ")
+            .replace('/', " OR ");
+        [text(&package["name"]), text(&package["version"]), license]
+    }
+}
+
+/// The licences of everything that goes into the program, each text once, with what it is of: most licences ask for
+/// it wherever a program is handed on.
+fn notices(root: &Path, parts: &Parts<'_>) -> Result<String, String> {
+    let mut told =
+        "The licences of what goes into freestand, which is itself under MIT OR Apache-2.0.\n\n"
+            .to_owned();
+    let mut texts: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    let mut add = |name: String, folder: &Path| -> Result<(), String> {
+        for path in fs::read_dir(folder).into_iter().flatten().flatten() {
+            let file = path.file_name().to_string_lossy().to_ascii_uppercase();
+            let is_one = ["LICENSE", "LICENCE", "COPYING", "NOTICE", "UNLICENSE"];
+            if is_one.iter().any(|begin| file.starts_with(begin)) && path.path().is_file() {
+                let text = fs::read(path.path()).map_err(self::told(folder))?;
+                let text = String::from_utf8_lossy(&text).trim().replace('\r', "");
+                texts.entry(text).or_default().push(name.clone());
+            }
+        }
+        Ok(())
+    };
+    for id in parts.seen.iter().filter(|id| **id != parts.own) {
+        let [name, version, license] = parts.named(id);
+        let manifest = text(&parts.package(id)["manifest_path"]);
+        let folder = Path::new(&manifest).parent().unwrap_or(root);
+        if folder.starts_with(root.join("crates")) {
+            continue;
+        }
+        told += &format!("{name} {version}: {license}\n");
+        add(format!("{name} {version}"), folder)?;
+    }
+    for (path, package) in of_page(root)? {
+        let name = path.rsplit("node_modules/").next().unwrap_or(&path);
+        told += &format!(
+            "{name} {}: {}\n",
+            text(&package["version"]),
+            text(&package["license"])
+        );
+        let folder = root.join(PAGE).with_file_name("").join(&path);
+        add(format!("{name} {}", text(&package["version"])), &folder)?;
+    }
+    for (text, names) in texts {
+        told += &format!("\n{}\n{}:\n\n{text}\n", "-".repeat(72), names.join(", "));
+    }
+    Ok(told)
+}
+
+/// The packages that go into the page, by their paths.
+fn of_page(root: &Path) -> Result<Vec<(String, Value)>, String> {
+    let page = root.join(PAGE);
+    let page: Value = serde_json::from_slice(&fs::read(&page).map_err(told(&page))?)
+        .map_err(|error| format!("{}: {error}", page.display()))?;
+    let all = page["packages"].as_object().into_iter().flatten();
+    let goes_in = all.filter(|(name, one)| !name.is_empty() && one["dev"] != true);
+    Ok(goes_in
+        .map(|(path, one)| (path.clone(), one.clone()))
+        .collect())
+}
+
 /// Every crate of the program and every package of its page, as a bill of materials (CycloneDX 1.5).
-fn bill_of_materials(root: &Path, tree: &Value, version: &str) -> Result<Vec<u8>, String> {
+fn bill_of_materials(root: &Path, parts: &Parts<'_>) -> Result<Vec<u8>, String> {
     let lock = root.join("Cargo.lock");
     let sums = fs::read_to_string(&lock).map_err(told(&lock))?;
     let sums: BTreeMap<(String, String), String> = sums
@@ -319,53 +443,12 @@ fn bill_of_materials(root: &Path, tree: &Value, version: &str) -> Result<Vec<u8>
             Some(((value("name")?, value("version")?), value("checksum")?))
         })
         .collect();
-    let packages: BTreeMap<&str, &Value> = tree["packages"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .map(|package| (package["id"].as_str().unwrap_or_default(), package))
-        .collect();
-    let nodes: BTreeMap<&str, &Value> = tree["resolve"]["nodes"]
-        .as_array()
-        .into_iter()
-        .flatten()
-        .map(|node| (node["id"].as_str().unwrap_or_default(), node))
-        .collect();
-    let own = packages
-        .iter()
-        .find(|(_, package)| package["name"] == "freestand-cli");
-    let own = *own.ok_or("the program is not among the packages")?.0;
-    let below = |id: &str| -> Vec<&str> {
-        let dependencies = nodes.get(id).and_then(|node| node["deps"].as_array());
-        let goes_in = |dependency: &&Value| {
-            let kinds = dependency["dep_kinds"].as_array();
-            kinds.is_some_and(|kinds| kinds.iter().any(|kind| kind["kind"].is_null()))
-        };
-        let dependencies = dependencies.into_iter().flatten().filter(goes_in);
-        dependencies
-            .filter_map(|dependency| dependency["pkg"].as_str())
-            .collect()
-    };
-    let mut seen = BTreeSet::new();
-    let mut next = vec![own];
-    while let Some(id) = next.pop() {
-        if seen.insert(id) {
-            next.extend(below(id));
-        }
-    }
     let reference = |id: &str| {
-        let package = packages.get(id).copied().unwrap_or(&Value::Null);
-        format!(
-            "pkg:cargo/{}@{}",
-            text(&package["name"]),
-            text(&package["version"])
-        )
+        let [name, version, _] = parts.named(id);
+        format!("pkg:cargo/{name}@{version}")
     };
-    let crates = seen.iter().filter(|id| **id != own).map(|id| {
-        let package = packages.get(id).copied().unwrap_or(&Value::Null);
-        let (name, version) = (text(&package["name"]), text(&package["version"]));
-        // An old way to write OR.
-        let license = text(&package["license"]).replace(" / ", " OR ").replace('/', " OR ");
+    let crates = parts.seen.iter().filter(|id| **id != parts.own).map(|id| {
+        let [name, version, license] = parts.named(id);
         let mut one = json!({"type": "library", "bom-ref": reference(id), "name": name, "version": version,
             "purl": reference(id), "licenses": [{"expression": license}]});
         if let Some(sum) = sums.get(&(name, version)) {
@@ -373,26 +456,24 @@ fn bill_of_materials(root: &Path, tree: &Value, version: &str) -> Result<Vec<u8>
         }
         one
     });
-    let page = root.join(PAGE);
-    let page: Value = serde_json::from_slice(&fs::read(&page).map_err(told(&page))?)
-        .map_err(|error| format!("{}: {error}", page.display()))?;
-    let page = page["packages"].as_object().into_iter().flatten();
-    let page = page.filter(|(name, one)| !name.is_empty() && one["dev"] != true).map(|(path, one)| {
+    let page = of_page(root)?;
+    let page = page.iter().map(|(path, one)| {
         let name = path.rsplit("node_modules/").next().unwrap_or(path);
         let reference = format!("pkg:npm/{}@{}", name.replace('@', "%40"), text(&one["version"]));
         json!({"type": "library", "bom-ref": reference, "name": name, "version": one["version"], "purl": reference,
             "licenses": [{"expression": one["license"]}]})
     });
     let components: Vec<Value> = crates.chain(page).collect();
-    let dependencies = seen.iter().map(|id| {
-        let below: BTreeSet<String> = below(id).into_iter().map(reference).collect();
+    let dependencies = parts.seen.iter().map(|id| {
+        let below: BTreeSet<String> = parts.below(id).into_iter().map(reference).collect();
         json!({"ref": reference(id), "dependsOn": below})
     });
+    let [_, version, _] = parts.named(parts.own);
     let document = json!({
         "bomFormat": "CycloneDX",
         "specVersion": "1.5",
         "version": 1,
-        "metadata": {"component": {"type": "application", "bom-ref": reference(own), "name": "freestand",
+        "metadata": {"component": {"type": "application", "bom-ref": reference(parts.own), "name": "freestand",
             "version": version, "licenses": [{"expression": "MIT OR Apache-2.0"}]}},
         "components": components,
         "dependencies": dependencies.collect::<Vec<_>>(),
