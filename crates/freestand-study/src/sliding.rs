@@ -166,6 +166,8 @@ pub struct SlideRequest {
     pub vertical: Option<Motion>,
     /// How far it is turned from the direction of the motion, anticlockwise from above \[rad\].
     pub orientation_rad: f64,
+    /// Whether it is known to slide across its width before it rocks.
+    pub slides_across: bool,
     /// What is at the end of the clearance, for the shock there.
     pub stop: Option<StopShock>,
     /// Gravity, end, samples.
@@ -407,13 +409,19 @@ pub fn slide_under_both(request: &SlideRequest) -> Result<PlaneSlideReport, Prob
     if let Some(time_s) = history.sliding.free_flight_time_s {
         return Err(rocking_problem(RockingError::FreeFlight { time_s }));
     }
+    let mut warnings = warnings(
+        request,
+        history.sliding.contacts[0],
+        history.sliding.final_speed_m_s,
+    );
+    if !request.slides_across {
+        warnings.push(
+            "whether it rocks across before it slides is not known without `width`".to_owned(),
+        );
+    }
     Ok(PlaneSlideReport {
         answer: PlaneSlideAnswer::of(&history.sliding, request),
-        warnings: warnings(
-            request,
-            history.sliding.contacts[0],
-            history.sliding.final_speed_m_s,
-        ),
+        warnings,
         history,
     })
 }

@@ -523,7 +523,8 @@ impl Reader<'_, '_> {
         let has_across = ["motion_y", "components", "orientation"]
             .map(|key| self.read.has(key))
             .contains(&true);
-        if has_across && self.read.has("width") {
+        let has_width = self.read.has("width");
+        if has_across && has_width {
             // Across the thickness it must not rock either.
             let width_m = self.read.positive("width", Dimension::Length);
             let across = object.size.zip(width_m);
@@ -549,6 +550,7 @@ impl Reader<'_, '_> {
                 across: None,
                 vertical: None,
                 orientation_rad: orientation_rad.unwrap_or(0.0),
+                slides_across: has_width,
                 stop,
                 how: HistoryOptions {
                     settings: object.settings,

@@ -5,7 +5,7 @@ use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::{answer, answer_of};
-use freestand_study::hull::narrow_base_warning;
+use freestand_study::hull::{BodyAnswer, narrow_base_warning};
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
@@ -47,6 +47,7 @@ pub struct ObjectReport {
     level_ratio: Option<f64>,
     place: Option<Place>,
     is_round: bool,
+    body: Option<BodyAnswer>,
     place_is_assumed: bool,
     building_is_assumed: bool,
     /// What nobody stated.
@@ -99,11 +100,8 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         ));
     }
     warnings.extend(doubts(&found, is_given));
-    let narrow = request
-        .object
-        .body
-        .as_ref()
-        .and_then(|body| body.narrow_base());
+    let body = request.object.body.as_ref();
+    let narrow = body.and_then(|body| body.narrow_base());
     warnings.extend(narrow.map(narrow_base_warning));
     if !is_given
         && found
@@ -136,6 +134,7 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         level_ratio,
         place: target.and_then(|target| target.place.clone()),
         is_round: item.is_round(),
+        body: body.map(|body| body.answer()),
         place_is_assumed: study.place_is_assumed,
         building_is_assumed: study.building_is_assumed && is_above,
         assumptions: assumptions(request, (&item, &study), &found, is_given),
@@ -298,6 +297,8 @@ answer_of!(ObjectReport as report {
     /// Earthquakes that would settle the question.
     worlds_needed: Option<u64> = report.found.answers.as_ref().and_then(|answers| answers.worlds_needed).map(u64::from);
     is_round: bool = report.is_round;
+    /// Where its shape is given: the body, and the hill that it must climb to fall.
+    body: Option<BodyAnswer> = report.body.clone();
     clearance_needed_m: Option<f64> = report.found.rolled.map(|rolled| rolled.clearance_needed_m);
     /// Room on every side that 50, 84 and 98 % of the earthquakes do not exceed.
     clearance_m_median: Option<f64> = report.found.rolled.map(|rolled| rolled.room_m[0]);
@@ -592,6 +593,7 @@ fn assumptions(
              in tests of two rocks: the upper end of the probability is 8 % or more; no shock is calculated"
                 .to_owned(),
         );
+        said.extend(object.body.as_ref().and_then(|body| body.turned_words()));
     } else if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
     } else {

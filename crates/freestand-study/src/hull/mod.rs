@@ -156,6 +156,22 @@ impl BodyInPose {
         2.0 * self.standing.pose().cg_height_m * self.barrier.angle_rad().tan()
     }
 
+    /// What it is.
+    pub fn answer(&self) -> BodyAnswer {
+        BodyAnswer::of(self)
+    }
+
+    /// That nobody chose a pose, and the body is turned to stand.
+    pub fn turned_words(&self) -> Option<String> {
+        let turned_rad = self.standing.pose().tilt().0;
+        (self.pose == 1 && turned_rad > TURNED_RAD).then(|| {
+            format!(
+                "the scan was turned by {} degrees to stand",
+                number(turned_rad.to_degrees(), 2)
+            )
+        })
+    }
+
     /// Of a scan whose underside is taken to be flat: how wide that is where it is narrowest \[m\], and how wide the
     /// body is in this direction, where that is more than four times as much: the scan may be tilted, so that a
     /// part of its base alone is at its lowest point. `None`: it is not.
@@ -452,13 +468,7 @@ fn notes(body: &BodyInPose) -> Vec<String> {
                 .to_owned(),
         );
     }
-    let turned_rad = body.standing.pose().tilt().0;
-    if body.pose == 1 && turned_rad > TURNED_RAD {
-        notes.push(format!(
-            "the scan was turned by {} degrees to stand",
-            number(turned_rad.to_degrees(), 2)
-        ));
-    }
+    notes.extend(body.turned_words());
     if body.is_hull_of_scan {
         notes.push(
             "the scan has holes or several parts: its convex hull, with uniform density, is used instead"

@@ -6,7 +6,7 @@ use freestand::rocking::{Outcome, RockingModel, StopReason};
 
 use crate::matched::peak_warning;
 use crate::result::{GroundMotion, LevelResult, ObjectResponse};
-use crate::study::Study;
+use crate::study::{Ground, Study};
 
 /// One sentence each.
 pub(super) fn result_warnings(
@@ -39,6 +39,14 @@ pub(super) fn result_warnings(
              impacts are not counted",
             rows().count()
         ));
+    }
+
+    if matches!(&study.ground, Ground::Synthetic(ground) if ground.near_fault.is_some()) {
+        warnings.push(
+            "the earthquake is near its fault, and the motions of a study have no velocity pulses: those of `assess` and \
+             `object` have"
+                .to_owned(),
+        );
     }
 
     let objects = &study.objects;
