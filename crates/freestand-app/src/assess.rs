@@ -4,13 +4,17 @@ use crate::job::Job;
 use clap::ArgAction;
 use freestand_assess::result::Decision;
 use freestand_input::problem::Problems;
+use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_inventory::Inventory;
+use freestand_risk::budget::{Budget, BudgetRequest};
+use freestand_risk::{amount, years};
 use freestand_study::study::{Study, TitleBlock};
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{Question, Request as _, Switch, one_of, reader, request, seed};
+use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
 
 /// The schema of the response.
 pub use crate::job::SCHEMA;
@@ -49,6 +53,19 @@ request! { question
         #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
         pub fail_on: Vec<Written>,
 
+        /// The most that restraints may cost, such as "20000 NZD": also plan what to restrain, life safety first
+        #[arg(long, value_name = "AMOUNT", help_heading = "The plan")]
+        pub budget: Option<Written>,
+        /// Your own restraints (CSV); its entries replace built-in entries with the same id
+        #[arg(long, value_name = "FILE.csv", help_heading = "The plan")]
+        pub restraints: Option<Written>,
+        /// Years over which the savings of restraints count [default: 50 yr, assumed]
+        #[arg(long = "horizon", value_name = "YEARS", help_heading = "The plan")]
+        pub horizon_years: Option<Written>,
+        /// Discount rate per year, compounded continuously [default: 3 %, assumed]
+        #[arg(long, value_name = "RATIO", help_heading = "The plan")]
+        pub discount: Option<Written>,
+
         /// Seed of the random numbers.
         #[arg(skip)]
         pub seed: Option<Written>,
@@ -83,6 +100,8 @@ pub struct Meant {
     pub job: Job,
     /// Verdicts that fail.
     pub fail_on: Vec<Decision>,
+    /// For which a plan is made.
+    budget: Option<BudgetRequest>,
     pages: Option<usize>,
     with_cards: bool,
     title: TitleBlock,
@@ -102,6 +121,15 @@ impl Meant {
         title.revision = given.revision.or(title.revision.take());
         Ok(study)
     }
+
+    /// The budget for which a plan is made, with what it needs of this list.
+    ///
+    /// # Errors
+    /// Restraints or costs that cannot be read, or that are in another currency.
+    pub fn budget(&self, inventory: &Inventory) -> Result<Option<Budget>, Problems> {
+        let of_list = |request| Budget::new(request, &inventory.path);
+        self.budget.as_ref().map(of_list).transpose()
+    }
 }
 
 impl Question for Assess {
@@ -112,8 +140,11 @@ impl Question for Assess {
         let mut read = reader::<Self>(&words, &self.unknown);
         let seed = seed(&mut read);
         let text = |read: &mut WordReader<'_>, key| read.one(key).map(str::to_owned);
+        let list = self.list.judged(&mut read, files, seed);
+        let budget = budget(&mut read, &list, files);
         let meant = Meant {
-            list: self.list.judged(&mut read, files, seed),
+            list,
+            budget,
             job: Job {
                 resume: read.flag("resume"),
                 force: false,
@@ -140,6 +171,31 @@ impl Question for Assess {
     fn set_seed(&mut self, seed: Option<Written>) {
         self.seed = seed;
     }
+}
+
+/// The budget; `None`: there is none, or something is wrong.
+fn budget(read: &mut WordReader<'_>, list: &ListMeant, files: &Files) -> Option<BudgetRequest> {
+    let budget = read.read("budget", amount);
+    let restraints = path(read, "restraints", files);
+    let horizon_years = read.read("horizon_years", years);
+    let discount_ratio = read.non_negative("discount", Dimension::Ratio);
+    for key in ["restraints", "horizon_years", "discount"] {
+        if read.has(key) && !read.has("budget") {
+            let message = format!("`{key}` is for a plan within a budget");
+            read.note(
+                &[key],
+                message,
+                "give `budget = \"20000 NZD\"`, or leave it out",
+            );
+        }
+    }
+    Some(BudgetRequest {
+        budget: budget?,
+        horizon_years,
+        discount_ratio,
+        restraints,
+        cells: list.request.cells.clone(),
+    })
 }
 
 /// Whether a table in Parquet is wanted.

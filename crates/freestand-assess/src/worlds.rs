@@ -187,6 +187,24 @@ impl FloorOfWorld {
         })
     }
 
+    /// What is left of its motion from a sample on; `None`: less than two samples.
+    pub fn from_sample(&self, sample: usize) -> Option<Self> {
+        let rest = |motion: &Motion| {
+            let samples = motion.accel_m_s2().get(sample..)?;
+            Motion::new(motion.dt_s(), samples.to_vec()).ok()
+        };
+        let across = self.motion.across.as_ref();
+        let motion = HorizontalMotion {
+            along: rest(&self.motion.along)?,
+            across: across.map(rest).map_or(Some(None), |rest| rest.map(Some))?,
+        };
+        let vertical = self.vertical.as_ref();
+        let vertical = vertical
+            .map(rest)
+            .map_or(Some(None), |rest| rest.map(Some))?;
+        Some(Self::new(motion, vertical))
+    }
+
     /// The same, in which the acceleration of the floor itself counts for nothing: only what the object
     /// does.
     pub fn without_peak(self) -> Self {

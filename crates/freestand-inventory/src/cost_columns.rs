@@ -234,7 +234,7 @@ pub(super) fn is_currency(text: &str) -> bool {
 }
 
 /// The code of a currency that is written otherwise; any other text as it is.
-pub(super) fn code(currency: &str) -> &str {
+pub fn code(currency: &str) -> &str {
     match currency {
         "€" => "EUR",
         "£" => "GBP",

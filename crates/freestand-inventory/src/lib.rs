@@ -69,7 +69,7 @@ use serde::{Deserialize, Serialize};
 pub use columns::{COLUMNS, Column, ColumnSpec, Holds};
 pub use columns_read::{ColumnRead, HeadingReport};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
-pub use cost_columns::{Amounts, Cost, cost_name};
+pub use cost_columns::{Amounts, Cost, code as currency_code, cost_name};
 pub use costs::CellsRequest;
 pub use costs::{costs_of_list, is_list};
 pub use edit::Edit;

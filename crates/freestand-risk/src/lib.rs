@@ -1,6 +1,7 @@
 //! How often objects fail, what that costs, and which options are worth their money: fragilities, their
 //! hazards, losses, and the folders of other programs.
 
+pub mod budget;
 pub mod costs;
 pub mod doubts;
 pub mod export;

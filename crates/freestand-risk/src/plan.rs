@@ -29,15 +29,15 @@ pub struct Worth {
     pub id: String,
     /// Name of the option.
     pub option: String,
-    object: usize,
+    pub(crate) object: usize,
     /// What it costs.
     pub cost: f64,
     /// With renewals.
-    cost_present_value: f64,
+    pub(crate) cost_present_value: f64,
     /// The least that it can be; `None` where nothing bounds the rates with the option.
     pub benefit_present_value: Option<f64>,
     /// By the stated losses, of which the least that the benefit can be may be far below.
-    estimate: f64,
+    pub(crate) estimate: f64,
     /// Whether the benefit may be larger.
     pub is_at_least: bool,
     /// Annual loss that the option leaves.
@@ -45,7 +45,9 @@ pub struct Worth {
     /// What a fall of the object means for people.
     pub life_safety: Option<Rating>,
     /// The least number of falls a year that the option avoids; `None` where nothing bounds it.
-    falls: Option<f64>,
+    pub(crate) falls: Option<f64>,
+    /// Whether falls count where no benefit is known: no yearly rate is, and these are falls in one earthquake.
+    pub(crate) counts_falls: bool,
 }
 
 impl Worth {
@@ -58,6 +60,12 @@ impl Worth {
 
     fn net(&self) -> Option<f64> {
         Some(self.benefit_present_value? - self.cost_present_value)
+    }
+
+    /// For what it is bought where people do not need it.
+    fn gain(&self) -> Option<f64> {
+        self.net()
+            .or_else(|| self.falls.filter(|_| self.counts_falls))
     }
 
     /// By what options are ranked: their ratio. What costs nothing comes first if it is worth anything,
@@ -258,6 +266,7 @@ pub(crate) fn measures(
             after,
             life_safety: cost.life_safety,
             falls: falls.map(|falls| falls.max(0.0)),
+            counts_falls: false,
         });
     }
     let mut ranking = problems.finish(Some(ranking))?;
@@ -305,11 +314,34 @@ pub struct Totals {
 
 /// The options of a budget: those that avoid most falls of objects rated high for life safety, with what is
 /// left those of objects rated medium, and with what is left then those that are worth most.
-struct Spent<'a> {
+pub(crate) struct Spent<'a> {
     plan: Totals,
     /// For each object.
-    chosen: Vec<Option<&'a Worth>>,
-    unfunded: Vec<&'a Worth>,
+    pub(crate) chosen: Vec<Option<&'a Worth>>,
+    /// For each object that people need and the budget does not reach, what avoids most falls.
+    pub(crate) unfunded: Vec<&'a Worth>,
+}
+
+impl Spent<'_> {
+    /// Whether no plan is worth more.
+    pub(crate) fn is_optimal(&self) -> bool {
+        self.plan.is_optimal
+    }
+}
+
+/// Whether something is bought for the sake of people.
+pub(crate) fn is_for_people(life_safety: Option<Rating>, falls: Option<f64>) -> bool {
+    life_safety > Some(Rating::Low) && falls > Some(FEWEST_FALLS)
+}
+
+/// What a budget is spent on, found within the time of a plan.
+pub(crate) fn spent_within<'a>(
+    ranking: &'a [Worth],
+    objects: usize,
+    budget: f64,
+    progress: Progress,
+) -> Spent<'a> {
+    spent(ranking, objects, budget, &mut within(PLAN_TIME, progress))
 }
 
 fn spent<'a>(
@@ -322,8 +354,9 @@ fn spent<'a>(
     let mut unfunded = Vec::new();
     let (mut left, mut is_optimal) = (budget, true);
     for rating in [Rating::High, Rating::Medium] {
-        let saves =
-            |worth: &&Worth| worth.life_safety == Some(rating) && worth.falls > Some(FEWEST_FALLS);
+        let saves = |worth: &&Worth| {
+            worth.life_safety == Some(rating) && is_for_people(worth.life_safety, worth.falls)
+        };
         let worths = of_objects(ranking, objects, saves);
         let choices = worths
             .iter()
@@ -353,11 +386,11 @@ fn spent<'a>(
         is_optimal &= plan.is_optimal;
     }
     // What has no known worth is not bought.
-    let is_open = |worth: &&Worth| chosen[worth.object].is_none() && worth.net().is_some();
+    let is_open = |worth: &&Worth| chosen[worth.object].is_none() && worth.gain().is_some();
     let worths = of_objects(ranking, objects, is_open);
     let choice = |worth: &&Worth| Choice {
         cost: worth.cost,
-        value: worth.net().unwrap_or(0.0),
+        value: worth.gain().unwrap_or(0.0),
     };
     let priced: Vec<Vec<Choice>> = worths
         .iter()

@@ -41,7 +41,8 @@ pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
 /// # Errors
 /// No number of 0 or more, or no currency.
 pub fn amount(text: &str) -> Result<(f64, String), Problem> {
-    let parsed = number_and_unit(text).and_then(|(number, currency)| {
+    let plain = without_groups(text);
+    let parsed = number_and_unit(&plain).and_then(|(number, currency)| {
         let is_currency =
             currency.starts_with(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c));
         Some((number, currency.to_owned())).filter(|(number, _)| *number >= 0.0 && is_currency)
@@ -53,6 +54,22 @@ pub fn amount(text: &str) -> Result<(f64, String), Problem> {
             "write a number and a currency, such as \"20000 AUD\"",
         )
     })
+}
+
+/// Without the commas between groups of three digits: `15,000`.
+fn without_groups(text: &str) -> String {
+    let is_group = |rest: &str| {
+        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
+        digits == 3
+    };
+    let starts_with_digit = text.trim().starts_with(|c: char| c.is_ascii_digit());
+    let groups: Vec<&str> = text.split(',').collect();
+    match groups.get(1..) {
+        Some(rest) if starts_with_digit && rest.iter().all(|rest| is_group(rest)) => {
+            groups.concat()
+        }
+        _ => text.to_owned(),
+    }
 }
 
 /// A number of years, `40 yr` or `40`.

@@ -23,9 +23,10 @@ use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
 use freestand_report::assessment::{
-    Head, JobReport, JsonRows, OUTCOMES_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head,
-    outcomes_head, outcomes_rows, said, write_all, write_worlds,
+    ALTERNATIVES_NAME, Head, JobReport, JsonRows, OUTCOMES_NAME, PLAN_NAME, WORKLIST_NAME,
+    WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows, said, write_all, write_worlds,
 };
+use freestand_risk::budget::{Budget, BudgetPlan};
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
@@ -35,12 +36,14 @@ use serde_json::{Map, Value, json};
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 8] = [
+const OUTPUTS: [&str; 10] = [
     "objects.csv",
     "objects.parquet",
     WORKLIST_NAME,
     WORLDS_NAME,
     OUTCOMES_NAME,
+    PLAN_NAME,
+    ALTERNATIVES_NAME,
     "report.html",
     "assessment.xlsx",
     MANIFEST,
@@ -84,10 +87,11 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    assess_telling(study, inventory, target, job, None, progress)
+    assess_telling(study, inventory, target, job, None, None, progress)
 }
 
-/// As [`assess_into`], but reports each object when it is finished, for a user who watches.
+/// As [`assess_into`], with the plan within a budget, and reports each object when it is finished, for a user who
+/// watches. With a budget nothing of a complete folder is used again.
 ///
 /// # Errors
 /// As [`assess_into`].
@@ -96,6 +100,7 @@ pub fn assess_telling(
     inventory: &Inventory,
     target: &Path,
     job: &Job,
+    budget: Option<&Budget>,
     tell: Option<TellRow>,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
@@ -106,6 +111,7 @@ pub fn assess_telling(
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
+        && budget.is_none()
         && let Some(report) = finished(target, &key, study, inventory, job, &head)
     {
         return Ok(report);
@@ -134,6 +140,7 @@ pub fn assess_telling(
         job,
         key: &key,
         motions: None,
+        budget,
     };
     written(&run, target, folder, portfolio, progress)
 }
@@ -169,6 +176,8 @@ struct Run<'r> {
     /// Where the ground motions of worlds are kept, in a merge: one that is stopped is repeated, not
     /// resumed.
     motions: Option<&'r Path>,
+    /// For which a plan is made.
+    budget: Option<&'r Budget>,
 }
 
 /// Writes the outputs of a finished or interrupted run.
@@ -186,13 +195,16 @@ fn written(
         job,
         key,
         motions,
+        budget,
     } = *run;
     let settings = &study.assessment;
+    let plan = planned(budget, study, inventory, motions, &mut portfolio, progress)?;
     let wanted = Wanted {
         parquet: job.parquet,
         workbook: true,
         report: true,
         pages: settings.pages,
+        plan: plan.as_ref(),
     };
     let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
@@ -214,6 +226,9 @@ fn written(
     }
     let mut report = report(&portfolio, study, inventory, head, target);
     report.first = first;
+    report.plan = plan.as_ref().map(|plan| plan.planned().cloned().collect());
+    report.plan_alternatives = plan.as_ref().map(|plan| plan.rows.clone());
+    report.budget = plan;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();
@@ -224,6 +239,31 @@ fn written(
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
     Ok(report)
+}
+
+/// The plan within a budget. A run that was stopped has none.
+fn planned(
+    budget: Option<&Budget>,
+    study: &Study,
+    inventory: &Inventory,
+    motions: Option<&Path>,
+    portfolio: &mut Portfolio,
+    progress: Progress,
+) -> Result<Option<BudgetPlan>, Problems> {
+    let Some(budget) = budget.filter(|_| !portfolio.interrupted) else {
+        return Ok(None);
+    };
+    let worlds = match &portfolio.worlds {
+        Some(worlds) => worlds.at_intensity(1.0),
+        None => shake(study, motions, progress)?,
+    };
+    match budget.plan(study, inventory, worlds, portfolio.rows(), progress) {
+        Err(error) if error.is_stopped() => {
+            portfolio.interrupted = true;
+            Ok(None)
+        }
+        plan => plan.map(Some),
+    }
 }
 
 /// Writes `worlds.csv`, with the worlds made anew where an earlier run assessed every object. A run

@@ -12,10 +12,10 @@ use super::response::Lived;
 use super::trial::{Question, Trial, answer, lived_in};
 
 /// Worlds at each intensity.
-const WORLDS: u32 = 160;
+pub(super) const WORLDS: u32 = 160;
 
 /// The intensities, relative to that of the study.
-const INTENSITIES: [f64; 5] = [
+pub(super) const INTENSITIES: [f64; 5] = [
     0.5,
     std::f64::consts::FRAC_1_SQRT_2,
     1.0,
@@ -133,7 +133,7 @@ fn rates(context: &Context, trial: &Trial, levels: Levels) -> Option<PerYear> {
 
 impl<'a> Context<'a> {
     /// The same worlds at another intensity.
-    fn at_intensity(&self, ratio: f64) -> Context<'a> {
+    pub(super) fn at_intensity(&self, ratio: f64) -> Context<'a> {
         Context {
             study: self.study,
             worlds: self.worlds.at_intensity(ratio),

@@ -36,7 +36,7 @@ const SLIPPING_WORLDS: usize = CURVED_WORLDS as usize;
 pub(super) const MILD_HIGH: f64 = 0.08;
 
 /// Worlds in which a body on its hull is followed, where no more of them could show that it stays.
-const HULL_WORLDS: u32 = 80;
+pub(super) const HULL_WORLDS: u32 = 80;
 
 /// The correlation between worlds with the same record and the same building, at least: the object
 /// alone then makes the difference.
@@ -165,7 +165,7 @@ impl<'a> Trial<'a> {
     }
 
     /// The probability of yes, with its interval, from the answers in the worlds in their order.
-    fn probability_of(context: &Context, answers: &[Option<bool>]) -> Probability {
+    pub(super) fn probability_of(context: &Context, answers: &[Option<bool>]) -> Probability {
         let hits = |answers: &[Option<bool>]| {
             answers.iter().filter(|one| **one == Some(true)).count() as u32
         };
@@ -553,7 +553,7 @@ fn slipped_in_worlds(
     Ok(found)
 }
 
-fn floors(
+pub(super) fn floors(
     context: &Context,
     levels_ratio: &[f64],
     range: Range<u32>,

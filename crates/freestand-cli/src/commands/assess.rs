@@ -52,6 +52,7 @@ impl Tell for Assess {
     ) -> Result<Done, Failure> {
         let study = meant.study()?;
         let inventory = meant.list.inventory(&study)?;
+        let budget = meant.budget(&inventory)?;
         let out = global.folder(FOLDER);
         let part_rows = printer
             .session()
@@ -74,7 +75,8 @@ impl Tell for Assess {
         };
         let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
         let report = watched(printer, |progress| {
-            assess_telling(&study, &inventory, &out, &job, finished, progress)
+            let budget = budget.as_ref();
+            assess_telling(&study, &inventory, &out, &job, budget, finished, progress)
         })?;
         print(&report, &out, &inventory, printer)?;
         if report.interrupted {

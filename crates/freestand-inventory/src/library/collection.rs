@@ -13,7 +13,7 @@ use freestand_input::words::nearest;
 use super::table::{self, Column, Row, Table};
 
 /// Origin of the built-in entries.
-const BUILT_IN: &str = "built-in";
+pub(super) const BUILT_IN: &str = "built-in";
 
 /// Largest number of problems that are reported; the rest of the file is then not read.
 const MAX_PROBLEMS: usize = 200;

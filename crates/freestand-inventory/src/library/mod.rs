@@ -1,7 +1,7 @@
-//! The tolerance library and the cushion library: what objects withstand and what they rest on,
-//! with the source of every number.
+//! The libraries of tolerances, cushions and restraints: what objects withstand, what they rest on and what holds
+//! them, with the source of every number.
 //!
-//! Both are built-in tables. A user's file with the same columns adds entries and replaces those
+//! All are built-in tables. A user's file with the same columns adds entries and replaces those
 //! with the same id. An entry names its source; without a source and a page or clause it is
 //! `recalled`. A recalled tolerance may be shown but never decides a verdict. A cushion is a range
 //! from which stiffnesses are drawn, and the report says so.
@@ -9,6 +9,7 @@
 mod collection;
 mod cushions;
 mod reader;
+mod restraints;
 mod table;
 mod tolerances;
 
@@ -18,6 +19,9 @@ use strum::{IntoStaticStr, VariantArray};
 
 pub use collection::Library;
 pub use cushions::{CushionEntry, CushionLibrary};
+pub use restraints::{
+    ASSUMED_BETA, Hold, HoldsWhat, RestraintEntry, RestraintKind, RestraintLibrary,
+};
 pub use tolerances::{Kind, State, ToleranceEntry, ToleranceLibrary, to_tolerance};
 
 use std::path::Path;

@@ -100,6 +100,27 @@ impl<'s> RowReader<'s> {
         self.one_of(column, values, T::into)
     }
 
+    /// Some of these values, by their names, with `|` between two.
+    pub(super) fn words<T: Copy + Into<&'static str>>(
+        &mut self,
+        column: &'static str,
+        values: &[T],
+    ) -> Option<Vec<T>> {
+        let text = self.text(column).to_lowercase();
+        let one = |word: &str| {
+            let mut known = values.iter().copied();
+            known.find(|value| Into::<&'static str>::into(*value) == word.trim())
+        };
+        let found: Option<Vec<T>> = text.split('|').map(one).collect();
+        if found.is_none() {
+            let names: Vec<&str> = values.iter().map(|value| (*value).into()).collect();
+            let message = format!("\"{}\" has an unknown value", shorten(&text));
+            let hint = format!("write some of {}, with | between two", names.join(", "));
+            self.note(column, message, hint);
+        }
+        found
+    }
+
     /// One of these values, with the names that `name` gives them.
     pub(super) fn one_of<T: Copy>(
         &mut self,

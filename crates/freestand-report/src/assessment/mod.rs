@@ -11,6 +11,7 @@ mod hold;
 mod outcomes;
 mod overview;
 mod parquet;
+mod plan;
 pub mod reasons;
 mod report;
 mod rows;
@@ -28,10 +29,12 @@ use freestand_assess::result::Decision;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
+use freestand_risk::budget::BudgetPlan;
 use serde::{Deserialize, Serialize};
 
 pub use head::{Head, head};
 pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
+pub use plan::{ALTERNATIVES_NAME, PLAN_NAME, write_plan};
 pub use rows::JsonRows;
 pub use rows::{object_rows, row_schema};
 pub use text::{assessment_text, missing_text, plan_text, quoted};
@@ -49,8 +52,8 @@ use workbook::Book;
 use worklist::{Worklist, task};
 
 /// The outputs besides `objects.csv`, `worklist.csv` and `worlds.csv`, which are always written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Wanted {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wanted<'p> {
     /// `objects.parquet`.
     pub parquet: bool,
     /// `assessment.xlsx`.
@@ -59,6 +62,8 @@ pub struct Wanted {
     pub report: bool,
     /// Number of objects with a page in the report: the most urgent ones.
     pub pages: usize,
+    /// The plan within a budget, if one was asked for.
+    pub plan: Option<&'p BudgetPlan>,
 }
 
 /// One of the most urgent objects, in words for a console.
@@ -124,7 +129,7 @@ pub fn write_all(
     if let Some(row) = next {
         return Err(out_of_order(&row.item.id));
     }
-    outputs.finish(folder, head)
+    outputs.finish(folder, head, wanted.plan)
 }
 
 /// The files as they are written.
@@ -183,17 +188,25 @@ impl Outputs {
         Ok(())
     }
 
-    fn finish(self, folder: &OutputFolder, head: &Head) -> Result<Vec<First>, Problem> {
+    fn finish(
+        self,
+        folder: &OutputFolder,
+        head: &Head,
+        plan: Option<&BudgetPlan>,
+    ) -> Result<Vec<First>, Problem> {
         self.csv.finish()?;
         self.worklist.finish(folder)?;
+        if let Some(plan) = plan {
+            write_plan(folder, plan)?;
+        }
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
         }
         if let Some(book) = self.book {
-            book.finish(folder, head, &self.overview, &self.sources)?;
+            book.finish(folder, head, &self.overview, &self.sources, plan)?;
         }
         if let Some(report) = self.report {
-            report.write(folder, head, &self.overview)?;
+            report.write(folder, head, &self.overview, plan)?;
         }
         let first = self
             .overview

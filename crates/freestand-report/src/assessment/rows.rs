@@ -157,6 +157,7 @@ mod tests {
         workbook: false,
         report: false,
         pages: 0,
+        plan: None,
     };
 
     fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {

@@ -45,6 +45,9 @@ pub fn assessment_text(report: &JobReport) -> String {
     if !report.first.is_empty() {
         text.push_str(&format!("\n{}", first(report)));
     }
+    if let Some(plan) = &report.budget {
+        text.push_str(&format!("\n{}", super::plan::plan_text(plan)));
+    }
     if report.failed > 0 || !report.problems.is_empty() {
         text.push_str("\nProblems\n");
     }

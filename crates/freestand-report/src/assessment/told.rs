@@ -6,6 +6,8 @@ use freestand_output::answer::ByName;
 use freestand_study::study::Study;
 use freestand_study::target::Target;
 
+use freestand_risk::budget::{BudgetPlan, PlanRow};
+
 use super::{First, Head};
 
 answer! {
@@ -52,6 +54,12 @@ answer! {
         place: String = skip,
         /// Objects that are left as they are, assessed for falling alone.
         only_falling: usize,
+        /// What the plan within a budget was asked, and what it leaves; `null`: no budget was given.
+        budget: Option<BudgetPlan>,
+        /// The measures of the plan.
+        plan: Option<Vec<PlanRow>>,
+        /// Every measure for every object, those of the plan first.
+        plan_alternatives: Option<Vec<PlanRow>>,
         /// The most urgent objects.
         first: Vec<First> = skip,
         /// What is wrong or doubtful in the list, a line for each kind and column.

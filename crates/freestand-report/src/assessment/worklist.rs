@@ -359,6 +359,7 @@ mod tests {
         workbook: false,
         report: false,
         pages: 0,
+        plan: None,
     };
 
     fn worklist(items: Vec<Item>) -> Vec<Vec<String>> {

@@ -35,6 +35,8 @@ pub enum Group {
     Friction,
     /// The velocity pulse of the ground motion.
     Pulse,
+    /// The capacity of a restraint.
+    Restraint,
 }
 
 impl Group {
@@ -51,6 +53,7 @@ impl Group {
             Self::Wall => 8,
             Self::Friction => 9,
             Self::Pulse => 10,
+            Self::Restraint => 11,
         }
     }
 }

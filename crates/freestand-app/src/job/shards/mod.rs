@@ -249,6 +249,7 @@ pub fn merge_shards(
         job: &job,
         key: &key,
         motions: Some(&motions),
+        budget: None,
     };
     let mut report = written(&run, target, folder, portfolio, progress)?;
     // The shards did the work of this assessment.

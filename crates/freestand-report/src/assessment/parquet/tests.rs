@@ -11,6 +11,7 @@ const ALONE: Wanted = Wanted {
     workbook: false,
     report: false,
     pages: 0,
+    plan: None,
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {

@@ -12,6 +12,7 @@ use freestand_input::problem::Problem;
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{CLOSING, escape, opening};
+use freestand_risk::budget::BudgetPlan;
 
 use super::Head;
 use super::overview::Overview;
@@ -51,6 +52,7 @@ impl Report {
         folder: &OutputFolder,
         head: &Head,
         overview: &Overview,
+        plan: Option<&BudgetPlan>,
     ) -> Result<(), Problem> {
         let mut file = folder.begin(REPORT_NAME)?;
         let subtitle = format!(
@@ -58,7 +60,7 @@ impl Report {
             env!("CARGO_PKG_VERSION")
         );
         file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
-        file.write(summary::summary(head, overview, self.max_pages).as_bytes())?;
+        file.write(summary::summary(head, overview, self.max_pages, plan).as_bytes())?;
         for page in self.pages.values() {
             file.write(page.as_bytes())?;
         }

@@ -7,6 +7,7 @@ use crate::assessment::Head;
 use crate::assessment::floors::{FloorKey, floor_words};
 use crate::assessment::head::RULE;
 use crate::assessment::overview::{Counts, Overview, RATINGS, Urgent};
+use crate::assessment::plan::plan_html;
 use crate::assessment::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::assessment::worklist::{Task, sort_floors};
 use freestand_assess::result::{Criterion, Decision};
@@ -14,12 +15,18 @@ use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{
     Cell, figure, heading, list, markup, paragraph, properties, section, table, words as text,
 };
+use freestand_risk::budget::BudgetPlan;
 
 use super::drawing::stacked_bar;
 use super::{anchor, name, words};
 
 /// Everything before the pages of the objects.
-pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String {
+pub(super) fn summary(
+    head: &Head,
+    overview: &Overview,
+    pages: usize,
+    plan: Option<&BudgetPlan>,
+) -> String {
     let mut html = String::new();
     if let Some(no_study) = &head.no_study {
         let _ = writeln!(
@@ -42,7 +49,8 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
         .map(|(name, value)| (name.as_str(), value.clone()))
         .collect();
     let work = floors(overview, head.is_elastic) + &work_list(overview, pages);
-    let sections = [
+    let planned = plan.map(|plan| ("plan", "The plan within the budget", plan_html(plan)));
+    let rest = [
         ("first", "The most urgent objects", first(overview, pages)),
         ("floors", "Work list by floor and room", work),
         (
@@ -59,6 +67,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize) -> String 
         ("assumptions", "Assumptions", list(&head.assumptions)),
         ("reading", "How to read this report", list(&HOW_TO_READ)),
     ];
+    let sections: Vec<(&str, &str, String)> = planned.into_iter().chain(rest).collect();
     html.push_str("<nav aria-label=\"Contents\">\n");
     for (id, heading, _) in &sections {
         let _ = writeln!(html, "<a href=\"#{id}\">{heading}</a>");

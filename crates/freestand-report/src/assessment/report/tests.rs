@@ -8,6 +8,7 @@ const ALONE: Wanted = Wanted {
     workbook: false,
     report: true,
     pages: 200,
+    plan: None,
 };
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {

@@ -10,6 +10,7 @@ const CSV_ALONE: Wanted = Wanted {
     workbook: false,
     report: false,
     pages: 0,
+    plan: None,
 };
 
 fn table(inventory: &Inventory, assessed: usize) -> (Vec<String>, Vec<Vec<String>>) {

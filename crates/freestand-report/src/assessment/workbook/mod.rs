@@ -21,6 +21,7 @@ use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook, Worksheet, XlsxErr
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
+use freestand_risk::budget::BudgetPlan;
 
 use super::Head;
 use super::overview::Overview;
@@ -102,12 +103,16 @@ impl Book {
         head: &Head,
         overview: &Overview,
         sources: &Sources,
+        plan: Option<&BudgetPlan>,
     ) -> Result<(), Problem> {
         let path = folder.path_of(WORKBOOK_NAME)?;
         guarded(move || {
             let styles = &self.styles;
             self.workbook
                 .push_worksheet(summary::summary(head, overview, styles)?);
+            if let Some(plan) = plan {
+                self.workbook.push_worksheet(summary::plan(plan, styles)?);
+            }
             for sheet in self.objects.finish()? {
                 self.workbook.push_worksheet(sheet);
             }

@@ -7,10 +7,13 @@ use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
 use crate::assessment::Head;
 use crate::assessment::head::RULE;
 use crate::assessment::overview::{Counts, Overview, RATINGS};
+use crate::assessment::plan::{SheetCell, assumptions, sentences, sheet_headings, sheet_rows};
 use crate::assessment::sources::Sources;
 use crate::assessment::table::{COLUMNS, Kind};
 use crate::assessment::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
 use freestand_assess::result::{Criterion, Decision};
+
+use freestand_risk::budget::BudgetPlan;
 
 use super::cells::{Styles, put_number, put_text};
 
@@ -63,6 +66,36 @@ pub(super) fn summary(
     page.list("Assumptions", &head.assumptions)?;
     page.list("How to read this workbook", &HOW_TO_READ)?;
     Ok(page.sheet)
+}
+
+/// Every measure of the plan, and those that it was chosen from, then what is said of them.
+pub(super) fn plan(plan: &BudgetPlan, styles: &Styles) -> Result<Worksheet, XlsxError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name("Plan")?;
+    sheet.set_landscape();
+    sheet.set_print_fit_to_pages(1, 0);
+    sheet.set_freeze_panes(1, 0)?;
+    for (column, (name, width)) in (0..).zip(sheet_headings(plan)) {
+        sheet.set_column_width(column, width)?;
+        put_text(&mut sheet, (0, column), &name, &styles.header)?;
+    }
+    let mut next = 1;
+    for row in sheet_rows(plan) {
+        for (column, cell) in (0..).zip(row) {
+            let at = (next, column);
+            match cell {
+                SheetCell::Text(text) => put_text(&mut sheet, at, &text, &styles.text)?,
+                SheetCell::Number(value) => put_number(&mut sheet, at, value, &styles.count)?,
+                SheetCell::Share(value) => put_number(&mut sheet, at, value, &styles.percent)?,
+            }
+        }
+        next += 1;
+    }
+    for said in sentences(plan).iter().chain(&assumptions(plan)) {
+        next += 1;
+        put_text(&mut sheet, (next, 0), said, &styles.text)?;
+    }
+    Ok(sheet)
 }
 
 /// The meanings of the columns.

@@ -13,6 +13,7 @@ const ALONE: Wanted = Wanted {
     workbook: true,
     report: false,
     pages: 0,
+    plan: None,
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {

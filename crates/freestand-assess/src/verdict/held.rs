@@ -1,0 +1,618 @@
+//! An object that a restraint holds: at rest on its floor until the force on the restraint exceeds what it
+//! withstands, then released at that instant, and free.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use freestand::G0_M_S2;
+use freestand::decision::Level;
+use freestand::fragility::lognormal_draw;
+use freestand::oscillator::{DAMPING_RATIO, OscillatorState, OscillatorStep};
+use freestand::respond::{Along, HistoryOptions, Outcome, Pads, Release, Settings};
+use freestand::rocking::Outcome as Rocking;
+use freestand::worlds::{Group, object_stream};
+use rayon::prelude::*;
+
+use crate::restraint::{ASSUMED_INSET_M, INSET_SHARE};
+use crate::result::Probability;
+use crate::worlds::{FloorOfWorld, Worlds};
+use freestand_input::problem::{Problem, Problems};
+use freestand_inventory::Item;
+use freestand_study::run::{Progress, Stage, Step};
+use freestand_study::study::Study;
+
+use super::draw::{Change, Draw, Drawn, draw};
+use super::object::{Model, Subject, Way};
+use super::over_worlds::quantile;
+use super::per_year::{INTENSITIES, WORLDS};
+use super::respond::responses;
+use super::response::{Lost, RigidResponse};
+use super::slip::slips;
+use super::trial::{HULL_WORLDS, Question, Trial, answer, floors, live, lived_in};
+use super::{Context, Member};
+
+/// How a restraint holds an object, and how strong it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Grip {
+    /// The period of the held object as an oscillator with 5 % damping; `None`: it does not move \[s\].
+    pub period_s: Option<f64>,
+    /// Where it holds.
+    pub at: GripAt,
+    /// Median of its capacity \[N\].
+    pub median_n: f64,
+    /// Standard deviation of the logarithm of its capacity.
+    pub beta: f64,
+}
+
+/// Where a restraint holds an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GripAt {
+    /// Above the floor, at this share of its height.
+    Height(f64),
+    /// At its base, by anchors along its edges.
+    Base,
+}
+
+/// What is done to an object.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Measure {
+    /// It is held.
+    Held(Grip),
+    /// Its wheels no longer roll.
+    Locked,
+}
+
+/// Why no effect of a measure on an object is calculated.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NotCalculated {
+    /// The mass of the object is not known.
+    NoMass,
+    /// It does not roll, so there is nothing to lock.
+    DoesNotRoll,
+    /// The hold is flexible, and the object is not followed in a plane.
+    NotInAPlane,
+}
+
+/// An object and what may be done to it.
+pub struct Wanted<'a> {
+    /// The object.
+    pub item: &'a Item,
+    /// The measures.
+    pub measures: Vec<Measure>,
+}
+
+impl<'a> Wanted<'a> {
+    fn member(&self, study: &Study) -> Option<Member<'a>> {
+        let settings = &study.assessment;
+        let subject = Subject::new(self.item, settings).ok()?;
+        let mut member = Member::new(self.item, subject, settings);
+        // A restraint is there to keep it from falling.
+        member.asks_shock = false;
+        Some(member)
+    }
+}
+
+/// An object without and with each of its measures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Restrained {
+    /// Free, at each intensity but that of the study.
+    pub free: Vec<Level>,
+    /// With each measure.
+    pub measures: Vec<Result<Effect, NotCalculated>>,
+}
+
+/// What a measure does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Effect {
+    /// The probability that the object falls in the earthquake of the study.
+    pub overturn: Probability,
+    /// The share of worlds in which the capacity is exceeded; `None`: nothing is held.
+    pub exceeded_ratio: Option<f64>,
+    /// Force that it must withstand in all worlds but the accepted share \[N\].
+    pub force_n: Option<f64>,
+    /// At each intensity but that of the study.
+    pub levels: Vec<Level>,
+}
+
+/// Each object without and with each of its measures, in the worlds of its assessment; at other intensities
+/// too if `is_annual`. An object that has no verdict has no effects.
+///
+/// # Model
+/// A rigid hold lets the object move with its floor; a flexible one makes it an oscillator of one degree of freedom.
+/// With a(t) the horizontal acceleration of the centre of gravity, at the height c, the force is
+///
+///     at the height z:  P = m |a| c/z, of both components together; the weight is not counted
+///     at the base:      T = (m |a| c − m (g + a_v) e)/(B − i), about the worse axis
+///
+/// Where it first exceeds the capacity, which is drawn in each world, the object is released: at rest, or with the
+/// velocity of the oscillator over c as ω. From there it is followed as without the restraint.
+///
+/// # Accuracy
+/// The instant of the release is that of a sample of the motion, at most half a step away.
+///
+/// # Errors
+/// A motion that cannot be generated, or a stop.
+pub fn restrained<'a>(
+    study: &'a Study,
+    worlds: Worlds<'a>,
+    wanted: &[Wanted],
+    is_annual: bool,
+    progress: Progress,
+) -> Result<Vec<Option<Restrained>>, Problems> {
+    let wants_to_stop = || {
+        let step = Step {
+            stage: None,
+            done: 0,
+            total: 0,
+        };
+        progress(step).is_break()
+    };
+    let context = Context::new(study, worlds, wanted.len(), &wants_to_stop);
+    let members: Vec<Option<Member>> = wanted.iter().map(|one| one.member(study)).collect();
+    let mut found: Vec<Option<Restrained>> = Vec::new();
+    for (place, (member, wanted)) in members.iter().zip(wanted).enumerate() {
+        let step = Step {
+            stage: Some(Stage::Objects),
+            done: place,
+            total: members.len(),
+        };
+        if progress(step).is_break() {
+            return Err(Problem::stopped().into());
+        }
+        let of_member = |member| one(&context, member, &wanted.measures, is_annual);
+        found.push(member.as_ref().map(of_member).transpose()?);
+    }
+    Ok(found)
+}
+
+/// One object.
+fn one(
+    context: &Context,
+    member: &Member,
+    measures: &[Measure],
+    is_annual: bool,
+) -> Result<Restrained, Problems> {
+    let free = Trial::new(context, member, member.subject.clone());
+    let mut effects: Vec<Result<Effect, NotCalculated>> = Vec::new();
+    for measure in measures {
+        effects.push(match measure {
+            Measure::Locked => locked(context, member)?,
+            Measure::Held(grip) => held(context, &free, grip)?,
+        });
+    }
+    let mut levels = Vec::new();
+    if is_annual {
+        for ratio in INTENSITIES.into_iter().filter(|ratio| *ratio != 1.0) {
+            let shaken = context.at_intensity(ratio);
+            levels.push(level(&shaken, &free, ratio)?);
+            for (measure, effect) in measures.iter().zip(&mut effects) {
+                let Ok(effect) = effect else { continue };
+                effect.levels.push(match measure {
+                    Measure::Locked => level(&shaken, &lock(&shaken, member), ratio)?,
+                    Measure::Held(grip) => {
+                        let worlds = 0..worlds_of(&free, WORLDS);
+                        let answers = held_worlds(&shaken, &free, grip, worlds)?;
+                        Level {
+                            intensity_ratio: ratio,
+                            probability: answers.worst(&shaken, &free).value,
+                        }
+                    }
+                });
+            }
+        }
+    }
+    Ok(Restrained {
+        free: levels,
+        measures: effects,
+    })
+}
+
+/// Worlds in which an object is followed, of at most `most`.
+fn worlds_of(trial: &Trial, most: u32) -> u32 {
+    if trial.subject.way.is_slow() {
+        most.min(HULL_WORLDS)
+    } else {
+        most
+    }
+}
+
+/// The probability that an object falls at another intensity, by the model with the larger one.
+fn level(shaken: &Context, trial: &Trial, intensity_ratio: f64) -> Result<Level, Problems> {
+    let worlds = worlds_of(trial, WORLDS);
+    let lived = lived_in(shaken, 0..worlds, &[trial], Change::None)?;
+    let by_model = trial.models(shaken).map(|model| {
+        let fallen = lived
+            .iter()
+            .flatten()
+            .filter(|one| answer(&trial.subject, one, Question::Falls, model) == Some(Some(true)));
+        fallen.count() as f64 / f64::from(worlds)
+    });
+    Ok(Level {
+        intensity_ratio,
+        probability: by_model.fold(0.0, f64::max),
+    })
+}
+
+/// The same object with locked wheels.
+fn lock<'a>(context: &Context, member: &'a Member<'a>) -> Trial<'a> {
+    let around = &member.item.surroundings;
+    let subject = member.subject.locked(around, &context.study.assessment);
+    Trial::new(context, member, subject)
+}
+
+fn locked(context: &Context, member: &Member) -> Result<Result<Effect, NotCalculated>, Problems> {
+    if !matches!(member.subject.way, Way::Rolls(_)) {
+        return Ok(Err(NotCalculated::DoesNotRoll));
+    }
+    let mut trials = [lock(context, member)];
+    live(context, &mut trials)?;
+    let trial = &trials[0];
+    let by_model = trial
+        .models(context)
+        .map(|model| trial.probability(context, Question::Falls, model));
+    Ok(worse(by_model)
+        .map(|overturn| Effect {
+            overturn,
+            exceeded_ratio: None,
+            force_n: None,
+            levels: Vec::new(),
+        })
+        .ok_or(NotCalculated::DoesNotRoll))
+}
+
+/// The probability with the larger upper end.
+fn worse(by_model: impl Iterator<Item = Probability>) -> Option<Probability> {
+    by_model.reduce(|most, next| if next.high > most.high { next } else { most })
+}
+
+fn held(
+    context: &Context,
+    trial: &Trial,
+    grip: &Grip,
+) -> Result<Result<Effect, NotCalculated>, Problems> {
+    let subject = &trial.subject;
+    if subject.mass_kg.is_none() {
+        return Ok(Err(NotCalculated::NoMass));
+    }
+    if grip.period_s.is_some() && !matches!(subject.way, Way::Planar | Way::Walled(_)) {
+        return Ok(Err(NotCalculated::NotInAPlane));
+    }
+    let found = held_worlds(context, trial, grip, 0..worlds_of(trial, trial.cap()))?;
+    let released = found.released.iter().filter(|one| **one).count();
+    let accepted = trial.member.accepted_ratio;
+    Ok(Ok(Effect {
+        overturn: found.worst(context, trial),
+        exceeded_ratio: Some(released as f64 / found.released.len().max(1) as f64),
+        force_n: Some(quantile(found.peak_n.iter().copied(), 1.0 - accepted)),
+        levels: Vec::new(),
+    }))
+}
+
+/// A held object in some worlds.
+struct HeldWorlds {
+    /// The largest force on the restraint while it holds \[N\].
+    peak_n: Vec<f64>,
+    /// Whether its capacity was exceeded.
+    released: Vec<bool>,
+    /// Whether it fell, by each model; `None`: that could not be found.
+    fell: [Vec<Option<bool>>; 2],
+}
+
+impl HeldWorlds {
+    /// The probability of falling, by the model with the larger upper end.
+    fn worst(&self, context: &Context, trial: &Trial) -> Probability {
+        let by_model = trial.models(context).map(|model| {
+            let answers = match model {
+                Model::Rigid => &self.fell[0],
+                Model::Pads => &self.fell[1],
+            };
+            Trial::probability_of(context, answers)
+        });
+        worse(by_model).unwrap_or(Probability {
+            value: 0.0,
+            low: 0.0,
+            high: 1.0,
+        })
+    }
+}
+
+/// Worlds whose floors are held at a time.
+const BLOCK: u32 = 256;
+
+fn held_worlds(
+    context: &Context,
+    trial: &Trial,
+    grip: &Grip,
+    worlds: Range<u32>,
+) -> Result<HeldWorlds, Problems> {
+    let mut all = HeldWorlds {
+        peak_n: Vec::new(),
+        released: Vec::new(),
+        fell: [Vec::new(), Vec::new()],
+    };
+    let subject = &trial.subject;
+    let settings = &context.study.assessment;
+    for first in worlds.clone().step_by(BLOCK as usize) {
+        context.go_on()?;
+        let block = first..worlds.end.min(first + BLOCK);
+        let floors = floors(context, &[subject.level_ratio], block.clone(), Change::None)?;
+        let Some(floors) = floors.first() else { break };
+        let in_world = |(world, floor): (u32, &_)| {
+            let draw = draw(settings, subject, trial.member.key, world, Change::None);
+            let mut random =
+                object_stream(settings.seed, world, trial.member.key, Group::Restraint, 0);
+            let capacity_n = lognormal_draw(&mut random, grip.median_n, grip.beta);
+            let held = Hold::new(grip, &draw, subject, floor).until(capacity_n);
+            (draw, held)
+        };
+        let jobs: Vec<(u32, _)> = block.zip(floors).collect();
+        let in_worlds: Vec<(Draw, Until)> = jobs
+            .into_par_iter()
+            .map(|(world, floor)| in_world((world, &**floor)))
+            .collect();
+        let mut freed: Vec<Freed> = Vec::new();
+        for ((draw, until), floor) in in_worlds.iter().zip(floors) {
+            all.peak_n.push(until.peak_n);
+            all.released.push(until.released.is_some());
+            let rest = until.released.and_then(|released| {
+                let floor = floor.from_sample(released.sample)?;
+                Some((floor, released.velocity_m_s))
+            });
+            // A motion that ends at the release moves nothing any more.
+            if let Some((floor, velocity_m_s)) = rest {
+                let one = Drawn { subject, draw };
+                freed.push(Freed {
+                    place: all.peak_n.len() - 1,
+                    one,
+                    floor,
+                    velocity_m_s,
+                });
+            }
+        }
+        for fell in &mut all.fell {
+            fell.resize(all.peak_n.len(), Some(false));
+        }
+        let fell = match grip.period_s {
+            None => from_rest(context, trial, &freed),
+            Some(_) => with_velocity(context, trial, &freed),
+        };
+        for (one, fell) in freed.iter().zip(fell) {
+            for (all, fell) in all.fell.iter_mut().zip(fell) {
+                all[one.place] = fell;
+            }
+        }
+    }
+    Ok(all)
+}
+
+/// An object that its restraint no longer holds.
+struct Freed<'a> {
+    place: usize,
+    one: Drawn<'a>,
+    /// What is left of the motion.
+    floor: FloorOfWorld,
+    /// Of its centre of gravity over its floor, along x and y \[m/s\].
+    velocity_m_s: [f64; 2],
+}
+
+/// Whether each falls by both models, released at rest.
+fn from_rest(context: &Context, trial: &Trial, freed: &[Freed]) -> Vec<[Option<bool>; 2]> {
+    let asks = |model| trial.asks(context, model);
+    let objects = freed
+        .iter()
+        .map(|freed| Ok((freed.one.on_rigid_base()?, freed.floor.shaking())));
+    let rigid: Vec<Option<RigidResponse>> = match asks(Model::Rigid) {
+        true => freed
+            .iter()
+            .zip(responses(objects))
+            .map(|(freed, found)| Some(freed.one.rigid_response(&freed.floor, found)))
+            .collect(),
+        false => freed.iter().map(|_| None).collect(),
+    };
+    let slipping: Vec<bool> = freed
+        .iter()
+        .zip(&rigid)
+        .map(|(freed, rigid)| {
+            let Drawn { subject, draw } = freed.one;
+            slips(subject, draw, &freed.floor, rigid.as_ref())
+        })
+        .collect();
+    let pads: Vec<Option<Result<Outcome, Lost>>> = match asks(Model::Pads) {
+        true => {
+            let objects = freed.iter().zip(&slipping).map(|(freed, slips)| {
+                let friction_ratio = freed.one.draw.friction_ratio.filter(|_| *slips);
+                Ok((freed.one.on_pads(friction_ratio)?, freed.floor.shaking()))
+            });
+            let outcome = |found: Result<_, _>| {
+                Some(found.map(|found: freestand::respond::Response| found.outcome()))
+            };
+            responses(objects).into_iter().map(outcome).collect()
+        }
+        false => freed.iter().map(|_| None).collect(),
+    };
+    rigid
+        .into_iter()
+        .zip(pads)
+        .zip(slipping)
+        .map(|((rigid, pads), slips)| {
+            let flies = matches!(rigid, Some(Err(Lost::Flight(_))));
+            let fell = |outcome: Outcome| outcome.has_fallen();
+            let on_pads = pads.and_then(Result::ok).and_then(fell);
+            let on_rigid = rigid
+                .and_then(Result::ok)
+                .and_then(|told| fell(told.outcome));
+            // As in an assessment: a rigid base can follow neither what slides while it rocks nor what flies.
+            let is_for_pads = (slips || flies) && on_pads.is_some();
+            [if is_for_pads { on_pads } else { on_rigid }, on_pads]
+        })
+        .collect()
+}
+
+/// Whether each falls by both models, released with a velocity.
+fn with_velocity(context: &Context, trial: &Trial, freed: &[Freed]) -> Vec<[Option<bool>; 2]> {
+    let one = |freed: &Freed| {
+        [Model::Rigid, Model::Pads].map(|model| {
+            if !trial.asks(context, model) {
+                return None;
+            }
+            let axes = 0..trial.subject.axes.len();
+            let fell: Option<Vec<bool>> = axes.map(|axis| falls(freed, model, axis)).collect();
+            Some(fell?.contains(&true))
+        })
+    };
+    freed.par_iter().map(one).collect()
+}
+
+/// Whether an object that is released with a velocity falls about an axis; `None`: that could not be found.
+fn falls(freed: &Freed, model: Model, axis: usize) -> Option<bool> {
+    let Freed {
+        one,
+        floor,
+        velocity_m_s,
+        ..
+    } = freed;
+    let (block, _) = one.draw.block(one.subject, axis)?;
+    let along = one.draw.along(axis);
+    let [x, y] = *velocity_m_s;
+    let velocity_m_s = match along {
+        Along::X => x,
+        Along::Y => y,
+    };
+    let how = HistoryOptions {
+        settings: Settings::default(),
+        start: Release {
+            rotation_rad: 0.0,
+            omega_rad_s: velocity_m_s / block.cg_height_m(),
+        },
+        ..HistoryOptions::default()
+    };
+    let base = floor.base(along);
+    let outcome = match model {
+        Model::Rigid => {
+            let plane = one.rigid_plane(axis)?;
+            plane.follow(base, &how).ok()?.rocking.outcome
+        }
+        Model::Pads => {
+            let pads = one.pads(None)?;
+            let planes = pads.planes.about(axis);
+            Pads { planes, ..pads }
+                .follow(base, &how)
+                .ok()?
+                .rocking
+                .outcome
+        }
+    };
+    (outcome != Rocking::Unresolved).then(|| outcome.has_fallen())
+}
+
+/// The held object under one motion: the force on its restraint.
+struct Hold {
+    /// At each sample \[N\].
+    force_n: Vec<f64>,
+    /// Of its centre of gravity over its floor, along x and y, at each sample; empty: it does not move \[m/s\].
+    velocity_m_s: Vec<[f64; 2]>,
+}
+
+/// How long a restraint holds.
+struct Until {
+    peak_n: f64,
+    /// `None`: to the end.
+    released: Option<Released>,
+}
+
+/// The release of an object.
+#[derive(Clone, Copy)]
+struct Released {
+    sample: usize,
+    velocity_m_s: [f64; 2],
+}
+
+impl Hold {
+    fn new(grip: &Grip, draw: &Draw, subject: &Subject, floor: &FloorOfWorld) -> Self {
+        let shaking = floor.shaking();
+        let components = [shaking.x, shaking.y].map(|motion| {
+            let motion = motion?;
+            let dt_s = motion.dt_s();
+            let step = grip
+                .period_s
+                .and_then(|period_s| OscillatorStep::new(TAU / period_s, DAMPING_RATIO, dt_s).ok());
+            let accel = motion.accel_m_s2();
+            let Some(step) = step else {
+                return Some((accel.to_vec(), Vec::new()));
+            };
+            let mut state = OscillatorState::default();
+            let mut before_m_s2 = accel.first().copied().unwrap_or(0.0);
+            let states = accel.iter().map(|&now_m_s2| {
+                state = step.advance(state, before_m_s2, now_m_s2);
+                before_m_s2 = now_m_s2;
+                (step.absolute_acceleration_m_s2(state), state.velocity_m_s)
+            });
+            Some(states.unzip())
+        });
+        let [x, y] = components;
+        let (x_m_s2, x_m_s): (Vec<f64>, Vec<f64>) = x.unwrap_or_default();
+        let y = y.as_ref();
+        let mass_kg = draw.mass_kg(subject).unwrap_or(0.0);
+        let blocks: Vec<_> = (0..subject.axes.len())
+            .filter_map(|axis| Some((draw.along(axis), draw.block(subject, axis)?.0)))
+            .collect();
+        let vertical = shaking.vertical;
+        let force = |sample: usize| {
+            let x_m_s2 = x_m_s2[sample];
+            let y_m_s2 = y.and_then(|(accel, _)| accel.get(sample)).copied();
+            let by_axis = blocks.iter().map(|(along, block)| {
+                let c_m = block.cg_height_m();
+                match grip.at {
+                    GripAt::Height(ratio) => {
+                        let both_m_s2 = x_m_s2.hypot(y_m_s2.unwrap_or(0.0));
+                        mass_kg * both_m_s2 * c_m / (ratio * block.height_m())
+                    }
+                    GripAt::Base => {
+                        let a_m_s2 = match along {
+                            Along::X => x_m_s2,
+                            Along::Y => y_m_s2.unwrap_or(x_m_s2),
+                        };
+                        let up_m_s2 = vertical
+                            .and_then(|motion| motion.accel_m_s2().get(sample))
+                            .copied();
+                        let base_m = block.base_width_m();
+                        let right_m = block.cg_from_right_m();
+                        let lever_m = right_m.min(base_m - right_m);
+                        let inset_m = ASSUMED_INSET_M.min(INSET_SHARE * base_m);
+                        let weight_n = mass_kg * (G0_M_S2 + up_m_s2.unwrap_or(0.0));
+                        (mass_kg * a_m_s2.abs() * c_m - weight_n * lever_m) / (base_m - inset_m)
+                    }
+                }
+            });
+            by_axis.fold(0.0, f64::max)
+        };
+        let force_n = (0..x_m_s2.len()).map(force).collect();
+        // Without a second component the first one moves it in any direction.
+        let other = |sample: usize| y.and_then(|(_, own)| own.get(sample)).copied();
+        let velocity = |(sample, x_m_s): (usize, &f64)| [*x_m_s, other(sample).unwrap_or(*x_m_s)];
+        Self {
+            force_n,
+            velocity_m_s: x_m_s.iter().enumerate().map(velocity).collect(),
+        }
+    }
+
+    /// Until its force exceeds a capacity: at the sample that is nearer to that instant.
+    fn until(self, capacity_n: f64) -> Until {
+        let peak_n = self.force_n.iter().copied().fold(0.0, f64::max);
+        let first = self
+            .force_n
+            .iter()
+            .position(|force_n| *force_n > capacity_n);
+        let released = first.map(|after| {
+            let before = after.saturating_sub(1);
+            let (low_n, high_n) = (self.force_n[before], self.force_n[after]);
+            let is_before = after > 0 && capacity_n - low_n < high_n - capacity_n;
+            let sample = if is_before { before } else { after };
+            Released {
+                sample,
+                velocity_m_s: self.velocity_m_s.get(sample).copied().unwrap_or_default(),
+            }
+        });
+        Until { peak_n, released }
+    }
+}

@@ -1,0 +1,413 @@
+//! The plan within a budget: its sentences, its tables on the console and in the report, its sheet and `plan.csv`.
+
+use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
+use freestand_input::words::{counted, number, percent_significant};
+use freestand_inventory::Rating;
+use freestand_inventory::library::{ASSUMED_BETA, Confidence};
+use freestand_output::answer::Answer as _;
+use freestand_output::facts;
+use freestand_output::folder::OutputFolder;
+use freestand_output::html::{Cell, figure, heading, list, paragraph, table, words};
+use freestand_risk::budget::{BudgetPlan, NotPlanned, PlanRow, Planned, Standing};
+
+use super::words::probability;
+use crate::table::table as text_table;
+
+/// The file of the plan.
+pub const PLAN_NAME: &str = "plan.csv";
+
+/// The file of everything that the plan was chosen from.
+pub const ALTERNATIVES_NAME: &str = "plan_alternatives.csv";
+
+/// Rows of measures that are not planned, in the report.
+const MOST_ROWS: usize = 300;
+
+/// Writes `plan.csv` and `plan_alternatives.csv`.
+///
+/// # Errors
+/// A full disk.
+pub fn write_plan(folder: &OutputFolder, plan: &BudgetPlan) -> Result<(), Problem> {
+    let planned = facts::table(plan.planned().map(PlanRow::facts))?;
+    let all = facts::table(plan.rows.iter().map(PlanRow::facts))?;
+    for (name, table) in [(PLAN_NAME, planned), (ALTERNATIVES_NAME, all)] {
+        let bytes: &[u8] = table.as_ref();
+        if bytes.is_empty() {
+            let empty: Vec<String> = PlanRow::properties().keys().cloned().collect();
+            folder.write(name, format!("{}\n", empty.join(",")).as_bytes())?;
+        } else {
+            folder.write(name, bytes)?;
+        }
+    }
+    Ok(())
+}
+
+/// An amount of money in whole units, with a narrow space between its thousands.
+fn amount(value: f64) -> String {
+    let digits = format!("{:.0}", value.abs());
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place) % 3 == 0 && digits.len() > 4 {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    match value < 0.0 && text != "0" {
+        true => format!("−{text}"),
+        false => text,
+    }
+}
+
+/// Whether a measure is planned, in words.
+pub(super) fn standing_words(standing: Standing) -> &'static str {
+    match standing {
+        Standing::In(Planned::LifeSafety) => "planned: life safety",
+        Standing::In(Planned::Pays) => "planned: it pays",
+        Standing::In(Planned::AvoidsFalls) => "planned: it avoids falls",
+        Standing::Out(why) => match why {
+            NotPlanned::AnotherMeasure => "another measure is planned",
+            NotPlanned::Unfunded => "the budget does not reach it",
+            NotPlanned::DoesNotPay => "does not pay",
+            NotPlanned::NothingToSave => "the list has no cost of its fall",
+            NotPlanned::AvoidsNoFalls => "avoids no falls",
+            NotPlanned::NoMedian => "not calculated: the capacity of the restraint is not known",
+            NotPlanned::Slack => "not calculated: its slack ends in an impact",
+            NotPlanned::HoldsContents => "not calculated: it holds what is on the object",
+            NotPlanned::Pad => "not calculated: a pad softens landings and holds nothing",
+            NotPlanned::NoMass => "not calculated: the mass of the object is not known",
+            NotPlanned::NotInAPlane => {
+                "not calculated: a flexible hold, and the object does not move in a plane"
+            }
+        },
+    }
+}
+
+/// What is said before the tables.
+pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
+    let BudgetPlan { currency, .. } = plan;
+    let mut said = Vec::new();
+    let (objects, cost) = plan.unfunded;
+    if objects > 0 {
+        said.push(format!(
+            "Unfunded life safety: {}, {} {currency}.",
+            counted(objects as usize, "object"),
+            amount(cost)
+        ));
+    }
+    if plan.without_measure > 0 {
+        let objects = counted(plan.without_measure as usize, "object");
+        said.push(format!(
+            "{objects} whose fall may hurt somebody: no measure has a calculated effect. Restrain them all the same, by \
+             their forces."
+        ));
+    }
+    let planned = plan.planned().map(|row| row.quantity as usize).sum();
+    let optimal = match plan.is_optimal {
+        true => "",
+        false => " It is the best that was found in the time allowed.",
+    };
+    said.push(format!(
+        "The plan restrains {} for {} {currency} of {} {currency}. Life safety comes first: most expected falls are \
+         avoided of objects rated high, then of those rated medium; what is left goes to {}.{optimal}",
+        counted(planned, "object"),
+        amount(plan.cost),
+        amount(plan.amount),
+        match plan.has_rates {
+            true => "what saves most money beyond its cost",
+            false => "what avoids most falls",
+        }
+    ));
+    said
+}
+
+/// What was assumed.
+pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
+    let mut said = Vec::new();
+    said.push(match (plan.has_rates, plan.has_costs) {
+        (false, _) => "No yearly rates are known for this place: its code has one return period, or none. The plan counts \
+                       falls in the earthquake of the study."
+            .to_owned(),
+        (true, false) => "The list has no costs of falls, such as a replacement cost: beyond life safety nothing is planned."
+            .to_owned(),
+        (true, true) => format!(
+            "Savings count over {} years at a discount rate of {} a year{}. Only falls are counted, by the return periods \
+             of the code; replacement, downtime and casualties cost what the list says.",
+            number(plan.horizon_years, 3),
+            percent_significant(plan.discount_ratio, 2),
+            match plan.is_horizon_assumed {
+                true => " (assumed where not stated)",
+                false => "",
+            }
+        ),
+    });
+    said.push(format!(
+        "A restraint holds until the force on it exceeds its capacity, which is lognormal{}. Then the object is free from \
+         that instant. The upper end of the probability with a restraint is never below the probability that its \
+         capacity is exceeded.",
+        match plan.rows.iter().any(|row| row.capacity_n.is_some() && row.beta == ASSUMED_BETA) {
+            true => format!("; β = {ASSUMED_BETA} is assumed where no test is known"),
+            false => String::new(),
+        }
+    ));
+    let unsure =
+        |confidence: Confidence| !matches!(confidence, Confidence::Stated | Confidence::Primary);
+    let mut names = |is_one: &dyn Fn(&PlanRow) -> bool, what: &str| {
+        let mut ids: Vec<&str> = plan
+            .rows
+            .iter()
+            .filter(|row| is_one(row))
+            .map(|row| row.measure.as_str())
+            .collect();
+        ids.sort_unstable();
+        ids.dedup();
+        if !ids.is_empty() {
+            said.push(format!("{what}: {}.", ids.join(", ")));
+        }
+    };
+    names(
+        &|row| row.confidence.0.is_some_and(unsure),
+        "Capacities that are recalled or assumed, to be confirmed by whoever fixes them",
+    );
+    names(
+        &|row| unsure(row.confidence.1),
+        "Prices that are assumed or from a secondary source, to be replaced by offers",
+    );
+    if let Some(rate) = plan.converted {
+        said.push(format!(
+            "Prices of built-in restraints are multiplied by {} {} for one US dollar (assumed, 2025).",
+            number(rate, 3),
+            plan.currency
+        ));
+    }
+    let mut assumed: Vec<&str> = plan
+        .rows
+        .iter()
+        .filter(|row| row.life_safety.1)
+        .map(|row| row.id.as_str())
+        .collect();
+    assumed.dedup();
+    assumed.sort_unstable();
+    assumed.dedup();
+    if !assumed.is_empty() {
+        said.push(format!(
+            "The list does not rate the life safety of {}: gas cylinders, and what somebody lies in, are taken as high.",
+            freestand_input::words::some(&assumed, 12)
+        ));
+    }
+    said
+}
+
+/// The force that a restraint must withstand over its capacity: `2.1 of 11 kN`.
+fn force(row: &PlanRow) -> String {
+    let kilonewtons = |value_n: f64| number(value_n / 1e3, 2);
+    let force = row.effect.as_ref().and_then(|effect| effect.force_n);
+    match (force, row.capacity_n) {
+        (Some(force_n), Some(capacity_n)) => {
+            format!("{} of {} kN", kilonewtons(force_n), kilonewtons(capacity_n))
+        }
+        (Some(force_n), None) => format!("{} kN", kilonewtons(force_n)),
+        (None, _) => "–".to_owned(),
+    }
+}
+
+/// The probability with a measure: `0.4 % (0.1–2 %)`.
+fn after(row: &PlanRow) -> String {
+    row.effect
+        .as_ref()
+        .zip(row.after_high())
+        .map_or("–".to_owned(), |(effect, high)| {
+            let found = freestand_assess::result::Probability {
+                high,
+                ..effect.overturn
+            };
+            probability(found)
+        })
+}
+
+/// The headings of a table of measures, and whether each is of numbers.
+const HEADINGS: [(&str, bool); 9] = [
+    ("object", false),
+    ("item", false),
+    ("life safety", false),
+    ("measure", false),
+    ("cost", true),
+    ("force", false),
+    ("falls", false),
+    ("with it", false),
+    ("saves a year", true),
+];
+
+fn cells(row: &PlanRow) -> [String; 9] {
+    let many = match row.quantity {
+        1 => String::new(),
+        many => format!(" × {many}"),
+    };
+    let rating = match row.life_safety {
+        (None, _) => "–".to_owned(),
+        (Some(rating), false) => rating.name().to_owned(),
+        (Some(rating), true) => format!("{} (assumed)", rating.name()),
+    };
+    [
+        shorten(&row.id),
+        format!("{}{many}", shorten(&row.item)),
+        rating,
+        row.measure.clone(),
+        amount(row.cost[1]),
+        force(row),
+        probability(row.before),
+        after(row),
+        row.losses
+            .map_or("–".to_owned(), |[before, after]| amount(before - after)),
+    ]
+}
+
+/// The plan for the console.
+pub(super) fn plan_text(plan: &BudgetPlan) -> String {
+    let mut text = sentences(plan).join("\n") + "\n\n";
+    let rows: Vec<Vec<String>> = plan.planned().map(|row| cells(row).to_vec()).collect();
+    if !rows.is_empty() {
+        let heads: Vec<String> = HEADINGS
+            .iter()
+            .map(|(head, _)| with_currency(head, plan))
+            .collect();
+        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        text += &text_table(&heads, &rows);
+    }
+    let count = |why: NotPlanned| {
+        plan.rows
+            .iter()
+            .filter(|row| row.standing == Standing::Out(why))
+            .count()
+    };
+    let unpaid = count(NotPlanned::DoesNotPay);
+    if unpaid > 0 {
+        text += &format!(
+            "{} would not pay: {ALTERNATIVES_NAME}\n",
+            counted(unpaid, "measure")
+        );
+    }
+    text + "Capacities and prices that are recalled or assumed are named in report.html\n"
+}
+
+fn with_currency(head: &str, plan: &BudgetPlan) -> String {
+    match head {
+        "cost" | "saves a year" => format!("{head} ({})", plan.currency),
+        _ => head.to_owned(),
+    }
+}
+
+/// The plan for the report.
+pub(super) fn plan_html(plan: &BudgetPlan) -> String {
+    let mut html: String = sentences(plan).iter().map(|said| paragraph(said)).collect();
+    let heads = |more: &[&str]| -> Vec<Cell> {
+        let own = HEADINGS.iter().map(|(head, is_number)| {
+            let head = with_currency(head, plan);
+            if *is_number {
+                figure(head)
+            } else {
+                words(&head)
+            }
+        });
+        own.chain(more.iter().map(|head| words(head))).collect()
+    };
+    let row = |row: &PlanRow, with_standing: bool| -> Vec<Cell> {
+        let own = cells(row).into_iter().zip(HEADINGS);
+        let own = own.map(|(text, (_, is_number))| {
+            if is_number {
+                figure(text)
+            } else {
+                words(&text)
+            }
+        });
+        let standing = with_standing.then(|| words(standing_words(row.standing)));
+        own.chain(standing).collect()
+    };
+    let planned: Vec<Vec<Cell>> = plan.planned().map(|one| row(one, false)).collect();
+    if !planned.is_empty() {
+        html.push_str(&table("", &[heads(&[])], &planned));
+    }
+    let rest: Vec<&PlanRow> = plan.rows.iter().filter(|row| !row.is_planned()).collect();
+    if !rest.is_empty() {
+        html.push_str(&heading("Alternatives, and what is not planned"));
+        let rows: Vec<Vec<Cell>> = rest
+            .iter()
+            .take(MOST_ROWS)
+            .map(|one| row(one, true))
+            .collect();
+        html.push_str(&table("", &[heads(&["why not"])], &rows));
+        if rest.len() > MOST_ROWS {
+            html.push_str(&paragraph(&format!(
+                "All of them are in {ALTERNATIVES_NAME}."
+            )));
+        }
+    }
+    html.push_str(&heading("What the plan assumes"));
+    html.push_str(&list(&assumptions(plan)));
+    html
+}
+
+/// The rows of the sheet: headings, then every measure, as texts and numbers.
+pub(super) fn sheet_rows(plan: &BudgetPlan) -> impl Iterator<Item = Vec<SheetCell>> {
+    let number = |value: Option<f64>| SheetCell::Number(value);
+    let text = |value: &str| SheetCell::Text(value.to_owned());
+    plan.rows.iter().map(move |row| {
+        let effect = row.effect.as_ref();
+        vec![
+            text(&row.id),
+            text(&row.item),
+            text(&row.place),
+            number(Some(f64::from(row.quantity))),
+            text(row.life_safety.0.map_or("", Rating::name)),
+            text(&row.measure),
+            text(&row.measure_item),
+            text(standing_words(row.standing)),
+            number(Some(row.cost[1])),
+            number(Some(row.cost[0])),
+            number(Some(row.cost[2])),
+            number(effect.and_then(|effect| effect.force_n)),
+            number(row.capacity_n),
+            SheetCell::Share(Some(row.before.value)),
+            SheetCell::Share(Some(row.before.high)),
+            SheetCell::Share(effect.map(|effect| effect.overturn.value)),
+            SheetCell::Share(row.after_high()),
+            number(row.losses.map(|[before, _]| before)),
+            number(row.losses.map(|[_, after]| after)),
+            number(row.benefit),
+        ]
+    })
+}
+
+/// The headings of the sheet with the widths of their columns.
+pub(super) fn sheet_headings(plan: &BudgetPlan) -> Vec<(String, f64)> {
+    let money = |head: &str| (format!("{head} [{}]", plan.currency), 12.0);
+    let plain = |head: &str, width: f64| (head.to_owned(), width);
+    vec![
+        plain("id", 12.0),
+        plain("item", 34.0),
+        plain("place", 22.0),
+        plain("quantity", 9.0),
+        plain("life safety", 11.0),
+        plain("measure", 16.0),
+        plain("what it is", 40.0),
+        plain("status", 40.0),
+        money("cost"),
+        money("cost, low"),
+        money("cost, high"),
+        plain("force [N]", 10.0),
+        plain("median capacity [N]", 12.0),
+        plain("falls", 9.0),
+        plain("falls, high", 9.0),
+        plain("falls with it", 9.0),
+        plain("falls with it, high", 9.0),
+        money("annual loss"),
+        money("annual loss with it"),
+        money("present value saved"),
+    ]
+}
+
+/// A cell of the sheet.
+pub(super) enum SheetCell {
+    Text(String),
+    Number(Option<f64>),
+    Share(Option<f64>),
+}

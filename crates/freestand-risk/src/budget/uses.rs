@@ -1,0 +1,61 @@
+//! What an object is for those who restrain it: which restraints suit it, and what its fall means for people.
+
+use freestand_input::words::canonical;
+use freestand_inventory::library::HoldsWhat;
+use freestand_inventory::{Casters, Item, Rating};
+
+/// A wall that is farther away is not for its restraint: brackets and straps are shorter \[m\].
+const NEAR_WALL_M: f64 = 0.3;
+
+/// Words by which gas cylinders are recognised, in the form of [`canonical`].
+const CYLINDERS: [&str; 9] = [
+    "cylinder",
+    "gas bottle",
+    "gasflasche",
+    "sauerstoffflasche",
+    "bouteille de gaz",
+    "bombola",
+    "bombona",
+    "cilindro de gas",
+    "botella de gas",
+];
+
+/// Words by which beds and incubators are recognised, in which somebody lies.
+const OCCUPIED: [&str; 5] = [
+    "incubator neonatal",
+    "neonatal incubator",
+    "infant warmer",
+    "hospital bed",
+    "patient bed",
+];
+
+fn has_one_of(item: &Item, words: &[&str]) -> bool {
+    let text = canonical(&item.item);
+    words.iter().any(|word| text.contains(word))
+}
+
+/// What may hold an object.
+pub(super) fn uses(item: &Item) -> Vec<HoldsWhat> {
+    let around = &item.surroundings;
+    if has_one_of(item, &CYLINDERS) {
+        return vec![HoldsWhat::Cylinder];
+    }
+    if matches!(around.casters, Some(Casters::Free | Casters::Braked)) {
+        return vec![HoldsWhat::OnCasters];
+    }
+    let is_at_wall = around.wall_gap_m.is_some_and(|gap_m| gap_m <= NEAR_WALL_M);
+    let at_wall = is_at_wall.then_some(HoldsWhat::AtWall);
+    [HoldsWhat::OnFloor].into_iter().chain(at_wall).collect()
+}
+
+/// What the fall of an object means for people, and whether that is assumed: where a list does not rate it, a gas
+/// cylinder, whose valve may break, and what somebody lies in count as high.
+pub(super) fn life_safety(item: &Item) -> (Option<Rating>, bool) {
+    match item.consequences.life_safety {
+        Some(rating) => (Some(rating), false),
+        None if has_one_of(item, &CYLINDERS) || has_one_of(item, &OCCUPIED) => {
+            (Some(Rating::High), true)
+        }
+        None => (None, false),
+    }
+}
