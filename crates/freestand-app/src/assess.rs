@@ -1,13 +1,16 @@
 //! `assess`: which objects of a list must be restrained.
 
+use std::path::PathBuf;
+
 use crate::job::Job;
 use clap::ArgAction;
 use freestand_assess::result::Decision;
-use freestand_input::problem::Problems;
+use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_inventory::Inventory;
+use freestand_report::assessment::Earlier;
 use freestand_risk::budget::{Budget, BudgetRequest};
 use freestand_risk::{amount, years};
 use freestand_study::study::{Study, TitleBlock};
@@ -49,6 +52,9 @@ request! { question
         /// Revision of the report [default: a line to fill in]
         #[arg(long, value_name = "TEXT", help_heading = "The report")]
         pub revision: Option<Written>,
+        /// Folder of an earlier assessment: the report says what is new, gone, done or worse since then
+        #[arg(long, value_name = "DIR", help_heading = "The report")]
+        pub since: Option<Written>,
         /// End with status 1 if an object gets this verdict; give it once for each verdict
         #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
         pub fail_on: Vec<Written>,
@@ -102,6 +108,8 @@ pub struct Meant {
     pub fail_on: Vec<Decision>,
     /// For which a plan is made.
     budget: Option<BudgetRequest>,
+    /// The folder of an earlier assessment.
+    since: Option<PathBuf>,
     pages: Option<usize>,
     with_cards: bool,
     title: TitleBlock,
@@ -132,6 +140,18 @@ impl Meant {
     }
 }
 
+impl Meant {
+    /// The earlier assessment, read before anything is written: it may be in the same folder.
+    ///
+    /// # Errors
+    /// A folder without a complete assessment.
+    pub fn earlier(&self) -> Result<Option<Earlier>, Problem> {
+        let read =
+            |folder: &PathBuf| Earlier::read(folder).map_err(|problem| problem.of(&["since"]));
+        self.since.as_ref().map(read).transpose()
+    }
+}
+
 impl Question for Assess {
     type Meant = Meant;
 
@@ -145,6 +165,7 @@ impl Question for Assess {
         let meant = Meant {
             list,
             budget,
+            since: path(&mut read, "since", files),
             job: Job {
                 resume: read.flag("resume"),
                 force: false,

@@ -23,8 +23,9 @@ use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
 use freestand_report::assessment::{
-    ALTERNATIVES_NAME, Head, JobReport, JsonRows, OUTCOMES_NAME, PLAN_NAME, WORKLIST_NAME,
-    WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows, said, write_all, write_worlds,
+    ALTERNATIVES_NAME, CHANGES_NAME, Earlier, Head, JobReport, JsonRows, OUTCOMES_NAME, PLAN_NAME,
+    WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows, said, write_all,
+    write_worlds,
 };
 use freestand_risk::budget::{Budget, BudgetPlan};
 use freestand_study::resolve::motion_paths;
@@ -36,7 +37,7 @@ use serde_json::{Map, Value, json};
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 10] = [
+const OUTPUTS: [&str; 11] = [
     "objects.csv",
     "objects.parquet",
     WORKLIST_NAME,
@@ -44,6 +45,7 @@ const OUTPUTS: [&str; 10] = [
     OUTCOMES_NAME,
     PLAN_NAME,
     ALTERNATIVES_NAME,
+    CHANGES_NAME,
     "report.html",
     "assessment.xlsx",
     MANIFEST,
@@ -87,11 +89,28 @@ pub fn assess_into(
     job: &Job,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    assess_telling(study, inventory, target, job, None, None, progress)
+    assess_telling(
+        study,
+        inventory,
+        target,
+        job,
+        Beside::default(),
+        None,
+        progress,
+    )
 }
 
-/// As [`assess_into`], with the plan within a budget, and reports each object when it is finished, for a user who
-/// watches. With a budget nothing of a complete folder is used again.
+/// What is made of the results of a run, beside its outputs.
+#[derive(Default)]
+pub struct Beside<'b> {
+    /// The plan within a budget.
+    pub budget: Option<&'b Budget>,
+    /// What has changed since an earlier assessment.
+    pub earlier: Option<Earlier>,
+}
+
+/// As [`assess_into`], with what is made of the results beside, and reports each object when it is finished, for a
+/// user who watches. With something beside nothing of a complete folder is used again.
 ///
 /// # Errors
 /// As [`assess_into`].
@@ -100,7 +119,7 @@ pub fn assess_telling(
     inventory: &Inventory,
     target: &Path,
     job: &Job,
-    budget: Option<&Budget>,
+    beside: Beside<'_>,
     tell: Option<TellRow>,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
@@ -111,7 +130,8 @@ pub fn assess_telling(
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
-        && budget.is_none()
+        && beside.budget.is_none()
+        && beside.earlier.is_none()
         && let Some(report) = finished(target, &key, study, inventory, job, &head)
     {
         return Ok(report);
@@ -140,9 +160,9 @@ pub fn assess_telling(
         job,
         key: &key,
         motions: None,
-        budget,
+        beside,
     };
-    written(&run, target, folder, portfolio, progress)
+    written(run, target, folder, portfolio, progress)
 }
 
 /// The folder for the outputs, which are checked to have a place in it.
@@ -176,13 +196,12 @@ struct Run<'r> {
     /// Where the ground motions of worlds are kept, in a merge: one that is stopped is repeated, not
     /// resumed.
     motions: Option<&'r Path>,
-    /// For which a plan is made.
-    budget: Option<&'r Budget>,
+    beside: Beside<'r>,
 }
 
 /// Writes the outputs of a finished or interrupted run.
 fn written(
-    run: &Run,
+    run: Run,
     target: &Path,
     folder: OutputFolder,
     mut portfolio: Portfolio,
@@ -195,16 +214,29 @@ fn written(
         job,
         key,
         motions,
-        budget,
-    } = *run;
+        beside,
+    } = run;
     let settings = &study.assessment;
-    let plan = planned(budget, study, inventory, motions, &mut portfolio, progress)?;
+    let plan = planned(
+        beside.budget,
+        study,
+        inventory,
+        motions,
+        &mut portfolio,
+        progress,
+    )?;
+    // Where a run was stopped, objects that it did not reach would seem to be gone.
+    let earlier = beside.earlier.filter(|_| !portfolio.interrupted);
+    let inputs = inputs(study, inventory);
+    let since = earlier.map(|earlier| earlier.since(&inputs, portfolio.rows()));
+    let since = since.transpose()?;
     let wanted = Wanted {
         parquet: job.parquet,
         workbook: true,
         report: true,
         pages: settings.pages,
         plan: plan.as_ref(),
+        since: since.as_ref(),
     };
     let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
@@ -229,6 +261,7 @@ fn written(
     report.plan = plan.as_ref().map(|plan| plan.planned().cloned().collect());
     report.plan_alternatives = plan.as_ref().map(|plan| plan.rows.clone());
     report.budget = plan;
+    report.since = since;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
-use freestand_app::job::{Job, TellRow, assess_telling};
+use freestand_app::job::{Beside, Job, TellRow, assess_telling};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_inventory::{Inventory, problem_reports};
@@ -53,6 +53,7 @@ impl Tell for Assess {
         let study = meant.study()?;
         let inventory = meant.list.inventory(&study)?;
         let budget = meant.budget(&inventory)?;
+        let earlier = meant.earlier()?;
         let out = global.folder(FOLDER);
         let part_rows = printer
             .session()
@@ -76,7 +77,8 @@ impl Tell for Assess {
         let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
         let report = watched(printer, |progress| {
             let budget = budget.as_ref();
-            assess_telling(&study, &inventory, &out, &job, budget, finished, progress)
+            let beside = Beside { budget, earlier };
+            assess_telling(&study, &inventory, &out, &job, beside, finished, progress)
         })?;
         print(&report, &out, &inventory, printer)?;
         if report.interrupted {

@@ -15,6 +15,7 @@ mod plan;
 pub mod reasons;
 mod report;
 mod rows;
+mod since;
 mod sources;
 mod table;
 mod text;
@@ -37,6 +38,7 @@ pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
 pub use plan::{ALTERNATIVES_NAME, PLAN_NAME, write_plan};
 pub use rows::JsonRows;
 pub use rows::{object_rows, row_schema};
+pub use since::{CHANGES_NAME, Earlier, Since};
 pub use text::{assessment_text, missing_text, plan_text, quoted};
 pub use told::{JobReport, PlanReport, said};
 pub use worklist::WORKLIST_NAME;
@@ -64,6 +66,8 @@ pub struct Wanted<'p> {
     pub pages: usize,
     /// The plan within a budget, if one was asked for.
     pub plan: Option<&'p BudgetPlan>,
+    /// What has changed since an earlier assessment, if that was asked for.
+    pub since: Option<&'p Since>,
 }
 
 /// One of the most urgent objects, in words for a console.
@@ -129,7 +133,7 @@ pub fn write_all(
     if let Some(row) = next {
         return Err(out_of_order(&row.item.id));
     }
-    outputs.finish(folder, head, wanted.plan)
+    outputs.finish(folder, head, wanted)
 }
 
 /// The files as they are written.
@@ -192,12 +196,16 @@ impl Outputs {
         self,
         folder: &OutputFolder,
         head: &Head,
-        plan: Option<&BudgetPlan>,
+        wanted: Wanted,
     ) -> Result<Vec<First>, Problem> {
+        let Wanted { plan, since, .. } = wanted;
         self.csv.finish()?;
         self.worklist.finish(folder)?;
         if let Some(plan) = plan {
             write_plan(folder, plan)?;
+        }
+        if let Some(since) = since {
+            since::write(folder, since)?;
         }
         if let Some(parquet) = self.parquet {
             parquet.finish(&self.overview)?;
@@ -206,7 +214,7 @@ impl Outputs {
             book.finish(folder, head, &self.overview, &self.sources, plan)?;
         }
         if let Some(report) = self.report {
-            report.write(folder, head, &self.overview, plan)?;
+            report.write(folder, head, &self.overview, wanted)?;
         }
         let first = self
             .overview

@@ -158,6 +158,7 @@ mod tests {
         report: false,
         pages: 0,
         plan: None,
+        since: None,
     };
 
     fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {

@@ -48,6 +48,9 @@ pub fn assessment_text(report: &JobReport) -> String {
     if let Some(plan) = &report.budget {
         text.push_str(&format!("\n{}", super::plan::plan_text(plan)));
     }
+    if let Some(since) = &report.since {
+        text.push_str(&format!("\n{}", super::since::since_text(since)));
+    }
     if report.failed > 0 || !report.problems.is_empty() {
         text.push_str("\nProblems\n");
     }

@@ -8,7 +8,7 @@ use freestand_study::target::Target;
 
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 
-use super::{First, Head};
+use super::{First, Head, Since};
 
 answer! {
     /// The summary of a job; its fields are the keys of the JSON document.
@@ -60,6 +60,8 @@ answer! {
         plan: Option<Vec<PlanRow>>,
         /// Every measure for every object, those of the plan first.
         plan_alternatives: Option<Vec<PlanRow>>,
+        /// What has changed since an earlier assessment; `null`: none was named.
+        since: Option<Since>,
         /// The most urgent objects.
         first: Vec<First> = skip,
         /// What is wrong or doubtful in the list, a line for each kind and column.

@@ -360,6 +360,7 @@ mod tests {
         report: false,
         pages: 0,
         plan: None,
+        since: None,
     };
 
     fn worklist(items: Vec<Item>) -> Vec<Vec<String>> {

@@ -15,7 +15,7 @@ use std::time::Instant;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Job, Run, staged, written};
+use super::{Beside, Job, Run, staged, written};
 use freestand_assess::key::resume_key;
 use freestand_assess::list::inventory_of;
 use freestand_assess::portfolio::{Assessed, Assessor, Keep, assess};
@@ -249,9 +249,9 @@ pub fn merge_shards(
         job: &job,
         key: &key,
         motions: Some(&motions),
-        budget: None,
+        beside: Beside::default(),
     };
-    let mut report = written(&run, target, folder, portfolio, progress)?;
+    let mut report = written(run, target, folder, portfolio, progress)?;
     // The shards did the work of this assessment.
     report.histories += histories;
     report.computed += std::mem::take(&mut report.resumed);

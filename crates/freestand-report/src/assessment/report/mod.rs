@@ -12,11 +12,10 @@ use freestand_input::problem::Problem;
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{CLOSING, escape, opening};
-use freestand_risk::budget::BudgetPlan;
 
-use super::Head;
 use super::overview::Overview;
 use super::table::Line;
+use super::{Head, Wanted};
 
 /// The file's name.
 pub(super) const REPORT_NAME: &str = "report.html";
@@ -52,7 +51,7 @@ impl Report {
         folder: &OutputFolder,
         head: &Head,
         overview: &Overview,
-        plan: Option<&BudgetPlan>,
+        wanted: Wanted,
     ) -> Result<(), Problem> {
         let mut file = folder.begin(REPORT_NAME)?;
         let subtitle = format!(
@@ -60,7 +59,7 @@ impl Report {
             env!("CARGO_PKG_VERSION")
         );
         file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
-        file.write(summary::summary(head, overview, self.max_pages, plan).as_bytes())?;
+        file.write(summary::summary(head, overview, self.max_pages, wanted).as_bytes())?;
         for page in self.pages.values() {
             file.write(page.as_bytes())?;
         }

@@ -4,10 +4,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use crate::assessment::Head;
+use crate::assessment::Wanted;
 use crate::assessment::floors::{FloorKey, floor_words};
 use crate::assessment::head::RULE;
 use crate::assessment::overview::{Counts, Overview, RATINGS, Urgent};
 use crate::assessment::plan::plan_html;
+use crate::assessment::since::since_html;
 use crate::assessment::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::assessment::worklist::{Task, sort_floors};
 use freestand_assess::result::{Criterion, Decision};
@@ -15,18 +17,12 @@ use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{
     Cell, figure, heading, list, markup, paragraph, properties, section, table, words as text,
 };
-use freestand_risk::budget::BudgetPlan;
 
 use super::drawing::stacked_bar;
 use super::{anchor, name, words};
 
 /// Everything before the pages of the objects.
-pub(super) fn summary(
-    head: &Head,
-    overview: &Overview,
-    pages: usize,
-    plan: Option<&BudgetPlan>,
-) -> String {
+pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> String {
     let mut html = String::new();
     if let Some(no_study) = &head.no_study {
         let _ = writeln!(
@@ -49,7 +45,12 @@ pub(super) fn summary(
         .map(|(name, value)| (name.as_str(), value.clone()))
         .collect();
     let work = floors(overview, head.is_elastic) + &work_list(overview, pages);
-    let planned = plan.map(|plan| ("plan", "The plan within the budget", plan_html(plan)));
+    let planned = wanted
+        .plan
+        .map(|plan| ("plan", "The plan within the budget", plan_html(plan)));
+    let changed = wanted
+        .since
+        .map(|since| ("since", "What has changed", since_html(since)));
     let rest = [
         ("first", "The most urgent objects", first(overview, pages)),
         ("floors", "Work list by floor and room", work),
@@ -67,7 +68,8 @@ pub(super) fn summary(
         ("assumptions", "Assumptions", list(&head.assumptions)),
         ("reading", "How to read this report", list(&HOW_TO_READ)),
     ];
-    let sections: Vec<(&str, &str, String)> = planned.into_iter().chain(rest).collect();
+    let sections: Vec<(&str, &str, String)> =
+        planned.into_iter().chain(changed).chain(rest).collect();
     html.push_str("<nav aria-label=\"Contents\">\n");
     for (id, heading, _) in &sections {
         let _ = writeln!(html, "<a href=\"#{id}\">{heading}</a>");

@@ -9,6 +9,7 @@ const ALONE: Wanted = Wanted {
     report: true,
     pages: 200,
     plan: None,
+    since: None,
 };
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {

@@ -11,6 +11,7 @@ const CSV_ALONE: Wanted = Wanted {
     report: false,
     pages: 0,
     plan: None,
+    since: None,
 };
 
 fn table(inventory: &Inventory, assessed: usize) -> (Vec<String>, Vec<Vec<String>>) {

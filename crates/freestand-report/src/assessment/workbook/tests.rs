@@ -14,6 +14,7 @@ const ALONE: Wanted = Wanted {
     report: false,
     pages: 0,
     plan: None,
+    since: None,
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {
