@@ -49,6 +49,7 @@ mod serve_options;
 mod shards;
 mod shock;
 mod shock_spectrum;
+mod since;
 mod sliding;
 mod spatial;
 mod spectrum;
