@@ -488,16 +488,12 @@ impl Budget {
     ) -> PlanRow {
         let item = candidate.item;
         let effect = found.and_then(|found| found.as_ref().ok()).cloned();
-        let at_study = |probability: &Probability| Level {
-            intensity_ratio: 1.0,
-            probability: probability.value,
-        };
         let rated = effect
             .as_ref()
             .zip(free)
             .and_then(|(effect, (free, hazard))| {
-                let before = rate(&free.free, at_study(&candidate.before), hazard)?;
-                let after = rate(&effect.levels, at_study(&effect.overturn), hazard)?;
+                let before = rate(&free.free, hazard)?;
+                let after = rate(&effect.levels, hazard)?;
                 Some(([before.0, after.0.min(before.0)], before.1))
             });
         let rates = rated.map(|(rates, _)| rates);
@@ -702,10 +698,7 @@ fn measure(entry: &RestraintEntry) -> Option<Measure> {
 }
 
 /// Falls a year from their probabilities at several intensities, and whether there may be more.
-fn rate(others: &[Level], at_study: Level, hazard: &Hazard) -> Option<(f64, bool)> {
-    let mut levels = others.to_vec();
-    levels.push(at_study);
-    levels.sort_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio));
-    let found = annual_rate(&levels, |ratio| hazard.annual_rate(ratio)).ok()?;
+fn rate(levels: &[Level], hazard: &Hazard) -> Option<(f64, bool)> {
+    let found = annual_rate(levels, |ratio| hazard.annual_rate(ratio)).ok()?;
     Some((found.rate_per_year, found.is_at_least))
 }
