@@ -71,6 +71,8 @@ pub enum NotCalculated {
     DoesNotRoll,
     /// The hold is flexible, and the object is not followed in a plane.
     NotInAPlane,
+    /// Something stands on the object, which is not held.
+    Stacked,
 }
 
 /// An object and what may be done to it.
@@ -346,6 +348,9 @@ impl Effect {
         let subject = &trial.subject;
         if subject.mass_kg.is_none() {
             return Err(NotCalculated::NoMass);
+        }
+        if matches!(subject.way, Way::Stack(_)) {
+            return Err(NotCalculated::Stacked);
         }
         if grip.period_s.is_some() && !matches!(subject.way, Way::Planar | Way::Walled(_)) {
             return Err(NotCalculated::NotInAPlane);

@@ -12,8 +12,8 @@ use super::*;
 
 fn study() -> Study {
     let text = "[ground]\ncode = \"nzs1170.5\"\nsite = \"C\"\nhazard_factor = 0.4\n[building]\nstoreys = 5\n\
-                [worlds]\nfirst = 20\nmost = 80\nshares = false\n[spread]\n";
-    resolve(text.trim_end_matches("[spread]\n"), None, "".as_ref()).unwrap()
+                [worlds]\nfirst = 20\nmost = 80\nshares = false\n";
+    resolve(text, None, "".as_ref()).unwrap()
 }
 
 fn list(rows: &str) -> Inventory {
