@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand_app::assess::{Assess, SCHEMA};
 use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
-use freestand_app::job::{Job, assess_into};
+use freestand_app::job::{Job, assess_telling};
 use freestand_app::request::Question as _;
 use freestand_app::run::Run;
 use freestand_input::keys::KeyStyle;
@@ -79,9 +79,17 @@ pub(crate) fn assess(
     let told = Told::default();
     let work = |stop: &AtomicBool| {
         let inventory = meant.list.inventory(&study)?;
-        let report = assess_into(&study, &inventory, &out, &job, &|step| {
-            told.step(step, stop)
-        })?;
+        let budget = meant.budget(&inventory)?;
+        let progress = |step: Step| told.step(step, stop);
+        let report = assess_telling(
+            &study,
+            &inventory,
+            &out,
+            &job,
+            budget.as_ref(),
+            None,
+            &progress,
+        )?;
         let mut text = rows_head(SCHEMA)?;
         let mut separator = "";
         object_rows(&out, &inventory, |row| {

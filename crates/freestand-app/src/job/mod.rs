@@ -139,7 +139,7 @@ pub fn assess_telling(
     let parts = Part::of_run(inventory.items.len(), size);
     let names = progress_names(&parts);
     announce(target, job.force, SCHEMA, &names)?;
-    let folder = staged(study, inventory, target, job)?;
+    let folder = staged(study, inventory, target, job, budget)?;
     let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
     let rows = tell.map(|tell| (JsonRows::new(inventory), tell));
     let told = |item: &Item, rank: usize, found: &Assessment| {
@@ -171,6 +171,7 @@ fn staged(
     inventory: &Inventory,
     target: &Path,
     job: &Job,
+    budget: Option<&Budget>,
 ) -> Result<OutputFolder, Problem> {
     let inputs = study
         .source
@@ -178,7 +179,12 @@ fn staged(
         .cloned()
         .chain(motion_paths(study))
         .chain([inventory.path.clone()]);
-    let looked_up = inventory.libraries.iter().chain(&inventory.scans);
+    let restraints = budget.map_or(&[][..], Budget::inputs);
+    let looked_up = inventory
+        .libraries
+        .iter()
+        .chain(&inventory.scans)
+        .chain(restraints);
     let inputs = inputs.chain(looked_up.map(|file| file.path.clone()));
     let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?
         .of_command(SCHEMA)?;
@@ -267,7 +273,7 @@ fn written(
     report.files.sort_unstable();
     folder.write(
         MANIFEST,
-        manifest(study, inventory, &report, key)?.as_bytes(),
+        manifest(study, inventory, &report, (key, budget))?.as_bytes(),
     )?;
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
@@ -388,7 +394,7 @@ fn manifest(
     study: &Study,
     inventory: &Inventory,
     report: &JobReport,
-    key: &str,
+    (key, budget): (&str, Option<&Budget>),
 ) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -402,6 +408,7 @@ fn manifest(
         "only_falling": report.only_falling,
         "first": report.first,
         "inputs": inputs(study, inventory),
+        "budget": budget.map(Budget::told),
         "files": report.files,
     });
     document(SCHEMA, &body, &report.all_warnings())

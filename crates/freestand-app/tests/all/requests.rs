@@ -200,6 +200,10 @@ fn without_files() -> Vec<Asked> {
             json!({"place": "Christchurch", "storeys": "7", "format": "csv,parquet", "fail_on": "restrain", "pages": "10",
             "edit": "D7=900 mm"}),
         ),
+        (
+            "assess",
+            json!({"budget": "15,000 NZD", "horizon_years": "50 yr", "discount": "3 %"}),
+        ),
         ("tolerance search", json!({})),
         ("tolerance show", json!({})),
         ("inventory convert", json!({"to": "csv", "sheet": "Ward 3"})),
@@ -471,6 +475,15 @@ fn of_programs() -> Vec<Asked> {
             "assess",
             json!({"study": "/etc/passwd", "inventory": "/etc/passwd", "format": ["csv", "pdf"], "fail_on": ["fall"], "threads": 8,
                 "storeys": 0, "pages": -1, "edits": [["D7", "1"], ["D7"], "D"], "columns": "/etc/passwd", "force": true, "seed": "x"}),
+        ),
+        (
+            "assess",
+            json!({"budget": "15000", "restraints": "/etc/passwd", "horizon_years": -1, "discount": "much"}),
+        ),
+        ("assess", json!({"budget": "-5 NZD"})),
+        (
+            "assess",
+            json!({"restraints": "ours.csv", "horizon_years": "50 yr", "discount": "3 %"}),
         ),
         (
             "run",

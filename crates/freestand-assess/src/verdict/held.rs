@@ -2,7 +2,7 @@
 //! withstands, then released at that instant, and free.
 
 use std::f64::consts::TAU;
-use std::ops::Range;
+use std::sync::Arc;
 
 use freestand::G0_M_S2;
 use freestand::decision::Level;
@@ -28,7 +28,7 @@ use super::per_year::{INTENSITIES, WORLDS};
 use super::respond::responses;
 use super::response::{Lost, RigidResponse};
 use super::slip::slips;
-use super::trial::{HULL_WORLDS, Question, Trial, answer, floors, live, lived_in};
+use super::trial::{HULL_WORLDS, Question, Trial, answer, floors, grouped, live, lived_in};
 use super::{Context, Member};
 
 /// How a restraint holds an object, and how strong it is.
@@ -71,6 +71,8 @@ pub enum NotCalculated {
     DoesNotRoll,
     /// The hold is flexible, and the object is not followed in a plane.
     NotInAPlane,
+    /// Something stands on the object, which is not held.
+    Stacked,
 }
 
 /// An object and what may be done to it.
@@ -95,7 +97,7 @@ impl<'a> Wanted<'a> {
 /// An object without and with each of its measures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Restrained {
-    /// Free, at each intensity but that of the study.
+    /// Free, at each intensity; empty if only that of the study is asked.
     pub free: Vec<Level>,
     /// With each measure.
     pub measures: Vec<Result<Effect, NotCalculated>>,
@@ -110,7 +112,7 @@ pub struct Effect {
     pub exceeded_ratio: Option<f64>,
     /// Force that it must withstand in all worlds but the accepted share \[N\].
     pub force_n: Option<f64>,
-    /// At each intensity but that of the study.
+    /// At each intensity; empty if only that of the study is asked.
     pub levels: Vec<Level>,
 }
 
@@ -149,62 +151,127 @@ pub fn restrained<'a>(
     };
     let context = Context::new(study, worlds, wanted.len(), &wants_to_stop);
     let members: Vec<Option<Member>> = wanted.iter().map(|one| one.member(study)).collect();
-    let mut found: Vec<Option<Restrained>> = Vec::new();
+    let mut cases: Vec<Case> = Vec::new();
     for (place, (member, wanted)) in members.iter().zip(wanted).enumerate() {
+        if let Some(member) = member {
+            cases.push(Case {
+                place,
+                trial: Trial::new(&context, member, member.subject.clone()),
+                measures: &wanted.measures,
+                found: Restrained {
+                    free: Vec::new(),
+                    measures: Vec::new(),
+                },
+            });
+        }
+    }
+    let total = cases.len();
+    let mut done = 0;
+    let levels = grouped(
+        cases
+            .iter()
+            .enumerate()
+            .map(|(place, case)| (case.trial.subject.level_ratio.to_bits(), place)),
+    );
+    for (_, places) in levels {
         let step = Step {
             stage: Some(Stage::Objects),
-            done: place,
-            total: members.len(),
+            done,
+            total,
         };
         if progress(step).is_break() {
             return Err(Problem::stopped().into());
         }
-        let of_member = |member| one(&context, member, &wanted.measures, is_annual);
-        found.push(member.as_ref().map(of_member).transpose()?);
+        done += places.len();
+        on_floor(&context, &mut cases, &places, is_annual)?;
+    }
+    let mut found: Vec<Option<Restrained>> = members.iter().map(|_| None).collect();
+    for case in cases {
+        found[case.place] = Some(case.found);
     }
     Ok(found)
 }
 
-/// One object.
-fn one(
+/// An object and what is found of it.
+struct Case<'a> {
+    /// Its place among all that are wanted.
+    place: usize,
+    /// Free, without worlds.
+    trial: Trial<'a>,
+    measures: &'a [Measure],
+    found: Restrained,
+}
+
+/// The objects on one floor, of which each world is made once.
+fn on_floor(
     context: &Context,
-    member: &Member,
-    measures: &[Measure],
+    cases: &mut [Case],
+    places: &[usize],
     is_annual: bool,
-) -> Result<Restrained, Problems> {
-    let free = Trial::new(context, member, member.subject.clone());
-    let mut effects: Vec<Result<Effect, NotCalculated>> = Vec::new();
-    for measure in measures {
-        effects.push(match measure {
-            Measure::Locked => locked(context, member)?,
-            Measure::Held(grip) => held(context, &free, grip)?,
-        });
+) -> Result<(), Problems> {
+    for &place in places {
+        let case = &mut cases[place];
+        for measure in case.measures {
+            let effect = match measure {
+                Measure::Locked => locked(context, case.trial.member)?,
+                Measure::Held(grip) => Effect::to_be_held(&case.trial, grip),
+            };
+            case.found.measures.push(effect);
+        }
     }
-    let mut levels = Vec::new();
-    if is_annual {
-        for ratio in INTENSITIES.into_iter().filter(|ratio| *ratio != 1.0) {
-            let shaken = context.at_intensity(ratio);
-            levels.push(level(&shaken, &free, ratio)?);
-            for (measure, effect) in measures.iter().zip(&mut effects) {
+    let most = |case: &Case| worlds_of(&case.trial, case.trial.cap());
+    for run in held_runs(context, cases, places, most)? {
+        let case = &mut cases[run.place];
+        let trial = &case.trial;
+        if let Some(Ok(effect)) = case.found.measures.get_mut(run.measure) {
+            let released = run.worlds.released.iter().filter(|one| **one).count();
+            let accepted = trial.member.accepted_ratio;
+            effect.overturn = run.worlds.worst(context, trial);
+            effect.exceeded_ratio = Some(released as f64 / run.worlds.released.len().max(1) as f64);
+            let peaks_n = run.worlds.peak_n.iter().copied();
+            effect.force_n = Some(quantile(peaks_n, 1.0 - accepted));
+        }
+    }
+    if !is_annual {
+        return Ok(());
+    }
+    for intensity_ratio in INTENSITIES {
+        let shaken = context.at_intensity(intensity_ratio);
+        let level = |probability| Level {
+            intensity_ratio,
+            probability,
+        };
+        let free: Vec<&Trial> = places.iter().map(|&place| &cases[place].trial).collect();
+        let shares = falls_at(&shaken, &free)?;
+        for (&place, share) in places.iter().zip(shares) {
+            let case = &mut cases[place];
+            case.found.free.push(level(share));
+            let measures = case.measures.iter().zip(&mut case.found.measures);
+            for (measure, effect) in measures {
                 let Ok(effect) = effect else { continue };
-                effect.levels.push(match measure {
-                    Measure::Locked => level(&shaken, &lock(&shaken, member), ratio)?,
-                    Measure::Held(grip) => {
-                        let worlds = 0..worlds_of(&free, WORLDS);
-                        let answers = held_worlds(&shaken, &free, grip, worlds)?;
-                        Level {
-                            intensity_ratio: ratio,
-                            probability: answers.worst(&shaken, &free).value,
-                        }
-                    }
-                });
+                if intensity_ratio == 1.0 {
+                    effect.levels.push(level(effect.overturn.value));
+                } else if *measure == Measure::Locked {
+                    let locked = lock(&shaken, case.trial.member);
+                    let share = falls_at(&shaken, &[&locked])?;
+                    effect.levels.extend(share.into_iter().map(level));
+                }
+            }
+        }
+        if intensity_ratio == 1.0 {
+            continue;
+        }
+        for run in held_runs(&shaken, cases, places, |case| {
+            worlds_of(&case.trial, WORLDS)
+        })? {
+            let case = &mut cases[run.place];
+            if let Some(Ok(effect)) = case.found.measures.get_mut(run.measure) {
+                let found = run.worlds.worst(&shaken, &case.trial);
+                effect.levels.push(level(found.value));
             }
         }
     }
-    Ok(Restrained {
-        free: levels,
-        measures: effects,
-    })
+    Ok(())
 }
 
 /// Worlds in which an object is followed, of at most `most`.
@@ -216,21 +283,25 @@ fn worlds_of(trial: &Trial, most: u32) -> u32 {
     }
 }
 
-/// The probability that an object falls at another intensity, by the model with the larger one.
-fn level(shaken: &Context, trial: &Trial, intensity_ratio: f64) -> Result<Level, Problems> {
-    let worlds = worlds_of(trial, WORLDS);
-    let lived = lived_in(shaken, 0..worlds, &[trial], Change::None)?;
-    let by_model = trial.models(shaken).map(|model| {
-        let fallen = lived
-            .iter()
-            .flatten()
-            .filter(|one| answer(&trial.subject, one, Question::Falls, model) == Some(Some(true)));
-        fallen.count() as f64 / f64::from(worlds)
-    });
-    Ok(Level {
-        intensity_ratio,
-        probability: by_model.fold(0.0, f64::max),
-    })
+/// The share of worlds in which each object falls, by the model with the larger one.
+fn falls_at(shaken: &Context, trials: &[&Trial]) -> Result<Vec<f64>, Problems> {
+    let mut shares = vec![0.0; trials.len()];
+    let worlds = trials.iter().map(|trial| worlds_of(trial, WORLDS));
+    for (worlds, places) in grouped(worlds.zip(0..)) {
+        shaken.go_on()?;
+        let together: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
+        let lived = lived_in(shaken, 0..worlds, &together, Change::None)?;
+        for ((place, trial), lived) in places.into_iter().zip(together).zip(lived) {
+            let by_model = trial.models(shaken).map(|model| {
+                let fallen = lived.iter().filter(|one| {
+                    answer(&trial.subject, one, Question::Falls, model) == Some(Some(true))
+                });
+                fallen.count() as f64 / f64::from(worlds)
+            });
+            shares[place] = by_model.fold(0.0, f64::max);
+        }
+    }
+    Ok(shares)
 }
 
 /// The same object with locked wheels.
@@ -250,47 +321,53 @@ fn locked(context: &Context, member: &Member) -> Result<Result<Effect, NotCalcul
     let by_model = trial
         .models(context)
         .map(|model| trial.probability(context, Question::Falls, model));
-    Ok(worse(by_model)
-        .map(|overturn| Effect {
-            overturn,
-            exceeded_ratio: None,
-            force_n: None,
-            levels: Vec::new(),
-        })
-        .ok_or(NotCalculated::DoesNotRoll))
-}
-
-/// The probability with the larger upper end.
-fn worse(by_model: impl Iterator<Item = Probability>) -> Option<Probability> {
-    by_model.reduce(|most, next| if next.high > most.high { next } else { most })
-}
-
-fn held(
-    context: &Context,
-    trial: &Trial,
-    grip: &Grip,
-) -> Result<Result<Effect, NotCalculated>, Problems> {
-    let subject = &trial.subject;
-    if subject.mass_kg.is_none() {
-        return Ok(Err(NotCalculated::NoMass));
-    }
-    if grip.period_s.is_some() && !matches!(subject.way, Way::Planar | Way::Walled(_)) {
-        return Ok(Err(NotCalculated::NotInAPlane));
-    }
-    let found = held_worlds(context, trial, grip, 0..worlds_of(trial, trial.cap()))?;
-    let released = found.released.iter().filter(|one| **one).count();
-    let accepted = trial.member.accepted_ratio;
     Ok(Ok(Effect {
-        overturn: found.worst(context, trial),
-        exceeded_ratio: Some(released as f64 / found.released.len().max(1) as f64),
-        force_n: Some(quantile(found.peak_n.iter().copied(), 1.0 - accepted)),
+        overturn: worse(by_model),
+        exceeded_ratio: None,
+        force_n: None,
         levels: Vec::new(),
     }))
 }
 
+/// The probability with the larger upper end; without any, nothing is known.
+fn worse(by_model: impl Iterator<Item = Probability>) -> Probability {
+    let larger =
+        |most: Probability, next: Probability| if next.high > most.high { next } else { most };
+    by_model.reduce(larger).unwrap_or(UNKNOWN)
+}
+
+const UNKNOWN: Probability = Probability {
+    value: 0.0,
+    low: 0.0,
+    high: 1.0,
+};
+
+impl Effect {
+    /// Of a hold of which nothing is calculated yet, or why nothing can be.
+    fn to_be_held(trial: &Trial, grip: &Grip) -> Result<Self, NotCalculated> {
+        let subject = &trial.subject;
+        if subject.mass_kg.is_none() {
+            return Err(NotCalculated::NoMass);
+        }
+        if matches!(subject.way, Way::Stack(_)) {
+            return Err(NotCalculated::Stacked);
+        }
+        if grip.period_s.is_some() && !matches!(subject.way, Way::Planar | Way::Walled(_)) {
+            return Err(NotCalculated::NotInAPlane);
+        }
+        Ok(Self {
+            overturn: UNKNOWN,
+            exceeded_ratio: None,
+            force_n: None,
+            levels: Vec::new(),
+        })
+    }
+}
+
 /// A held object in some worlds.
+#[derive(Default)]
 struct HeldWorlds {
-    /// The largest force on the restraint while it holds \[N\].
+    /// The largest force on the restraint if it holds \[N\].
     peak_n: Vec<f64>,
     /// Whether its capacity was exceeded.
     released: Vec<bool>,
@@ -298,91 +375,124 @@ struct HeldWorlds {
     fell: [Vec<Option<bool>>; 2],
 }
 
-impl HeldWorlds {
-    /// The probability of falling, by the model with the larger upper end.
-    fn worst(&self, context: &Context, trial: &Trial) -> Probability {
-        let by_model = trial.models(context).map(|model| {
-            let answers = match model {
-                Model::Rigid => &self.fell[0],
-                Model::Pads => &self.fell[1],
-            };
-            Trial::probability_of(context, answers)
-        });
-        worse(by_model).unwrap_or(Probability {
-            value: 0.0,
-            low: 0.0,
-            high: 1.0,
-        })
-    }
+/// A measure that holds an object.
+struct Run {
+    place: usize,
+    measure: usize,
+    worlds: HeldWorlds,
 }
 
 /// Worlds whose floors are held at a time.
 const BLOCK: u32 = 256;
 
-fn held_worlds(
+/// Every hold that can be calculated of the objects on one floor, each in the worlds that `most` says.
+fn held_runs(
     context: &Context,
-    trial: &Trial,
-    grip: &Grip,
-    worlds: Range<u32>,
-) -> Result<HeldWorlds, Problems> {
-    let mut all = HeldWorlds {
-        peak_n: Vec::new(),
-        released: Vec::new(),
-        fell: [Vec::new(), Vec::new()],
+    cases: &[Case],
+    places: &[usize],
+    most: impl Fn(&Case) -> u32,
+) -> Result<Vec<Run>, Problems> {
+    let mut runs: Vec<Run> = Vec::new();
+    for &place in places {
+        let case = &cases[place];
+        let measures = case.measures.iter().zip(&case.found.measures).enumerate();
+        let held = measures
+            .filter(|(_, (measure, effect))| matches!(measure, Measure::Held(_)) && effect.is_ok());
+        runs.extend(held.map(|(measure, _)| Run {
+            place,
+            measure,
+            worlds: HeldWorlds::default(),
+        }));
+    }
+    let end = runs.iter().map(|run| most(&cases[run.place])).max();
+    let level = places
+        .first()
+        .map(|&place| cases[place].trial.subject.level_ratio);
+    let (Some(end), Some(level_ratio)) = (end, level) else {
+        return Ok(runs);
     };
-    let subject = &trial.subject;
-    let settings = &context.study.assessment;
-    for first in worlds.clone().step_by(BLOCK as usize) {
+    for first in (0..end).step_by(BLOCK as usize) {
         context.go_on()?;
-        let block = first..worlds.end.min(first + BLOCK);
-        let floors = floors(context, &[subject.level_ratio], block.clone(), Change::None)?;
+        let block = first..end.min(first + BLOCK);
+        let floors = floors(context, &[level_ratio], block.clone(), Change::None)?;
         let Some(floors) = floors.first() else { break };
-        let in_world = |(world, floor): (u32, &_)| {
-            let draw = draw(settings, subject, trial.member.key, world, Change::None);
-            let mut random =
-                object_stream(settings.seed, world, trial.member.key, Group::Restraint, 0);
-            let capacity_n = lognormal_draw(&mut random, grip.median_n, grip.beta);
-            let held = Hold::new(grip, &draw, subject, floor).until(capacity_n);
-            (draw, held)
-        };
-        let jobs: Vec<(u32, _)> = block.zip(floors).collect();
-        let in_worlds: Vec<(Draw, Until)> = jobs
-            .into_par_iter()
-            .map(|(world, floor)| in_world((world, &**floor)))
-            .collect();
-        let mut freed: Vec<Freed> = Vec::new();
-        for ((draw, until), floor) in in_worlds.iter().zip(floors) {
-            all.peak_n.push(until.peak_n);
-            all.released.push(until.released.is_some());
-            let rest = until.released.and_then(|released| {
-                let floor = floor.from_sample(released.sample)?;
-                Some((floor, released.velocity_m_s))
-            });
-            // A motion that ends at the release moves nothing any more.
-            if let Some((floor, velocity_m_s)) = rest {
-                let one = Drawn { subject, draw };
-                freed.push(Freed {
-                    place: all.peak_n.len() - 1,
-                    one,
-                    floor,
-                    velocity_m_s,
-                });
+        for run in &mut runs {
+            context.go_on()?;
+            let case = &cases[run.place];
+            let own = most(case).saturating_sub(first).min(BLOCK) as usize;
+            let floors = &floors[..own.min(floors.len())];
+            if let Some(Measure::Held(grip)) = case.measures.get(run.measure) {
+                run.worlds
+                    .live_on(context, &case.trial, grip, (first, floors));
             }
         }
-        for fell in &mut all.fell {
-            fell.resize(all.peak_n.len(), Some(false));
+    }
+    Ok(runs)
+}
+
+impl HeldWorlds {
+    /// The probability of falling, by the model with the larger upper end.
+    fn worst(&self, context: &Context, trial: &Trial) -> Probability {
+        worse(trial.models(context).map(|model| {
+            let answers = match model {
+                Model::Rigid => &self.fell[0],
+                Model::Pads => &self.fell[1],
+            };
+            Trial::probability_of(context, answers)
+        }))
+    }
+
+    /// In the worlds of these floors, numbered from `first`.
+    fn live_on(
+        &mut self,
+        context: &Context,
+        trial: &Trial,
+        grip: &Grip,
+        (first, floors): (u32, &[Arc<FloorOfWorld>]),
+    ) {
+        let subject = &trial.subject;
+        let settings = &context.study.assessment;
+        let in_world = |(world, floor): (u32, &Arc<FloorOfWorld>)| {
+            let key = trial.member.key;
+            let draw = draw(settings, subject, key, world, Change::None);
+            let mut random = object_stream(settings.seed, world, key, Group::Restraint, 0);
+            let capacity_n = lognormal_draw(&mut random, grip.median_n, grip.beta);
+            let until = Hold::new(grip, &draw, subject, floor).until(capacity_n);
+            (draw, until)
+        };
+        let jobs: Vec<(u32, &Arc<FloorOfWorld>)> = (first..).zip(floors).collect();
+        let in_worlds: Vec<(Draw, Until)> = jobs.into_par_iter().map(in_world).collect();
+        let mut freed: Vec<Freed> = Vec::new();
+        for ((draw, until), floor) in in_worlds.iter().zip(floors) {
+            // A motion that ends at the release moves nothing any more.
+            let rest = until
+                .released
+                .and_then(|released| Some((floor.from_sample(released.sample)?, released)));
+            if let Some((floor, released)) = rest {
+                freed.push(Freed {
+                    place: self.peak_n.len(),
+                    one: Drawn { subject, draw },
+                    floor,
+                    velocity_m_s: released.velocity_m_s,
+                });
+            }
+            self.peak_n.push(until.peak_n);
+            self.released.push(until.released.is_some());
+        }
+        let worlds = self.peak_n.len();
+        for fell in &mut self.fell {
+            fell.resize(worlds, Some(false));
         }
         let fell = match grip.period_s {
             None => from_rest(context, trial, &freed),
             Some(_) => with_velocity(context, trial, &freed),
         };
         for (one, fell) in freed.iter().zip(fell) {
-            for (all, fell) in all.fell.iter_mut().zip(fell) {
+            for (all, fell) in self.fell.iter_mut().zip(fell) {
                 all[one.place] = fell;
             }
         }
     }
-    Ok(all)
 }
 
 /// An object that its restraint no longer holds.
@@ -616,3 +726,6 @@ impl Hold {
         Until { peak_n, released }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -57,6 +57,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "name",
         "library",
         "cushion_library",
+        "restraints",
         "list",
         "files",
         "spectrum",

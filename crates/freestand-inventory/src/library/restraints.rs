@@ -313,7 +313,7 @@ mod tests {
                     a,strap,rope,at-wall,flexible,9,5,dollars,shop,stated\n";
         std::fs::write(&path, rows).unwrap();
         let error = RestraintLibrary::restraints(Some(&path)).unwrap_err();
-        let told: Vec<String> = error.iter().map(|one| one.message.clone()).collect();
+        let told: Vec<String> = error.into_iter().map(|one| one.message).collect();
         for column in ["kind", "period", "price_high", "currency"] {
             let start = format!("column {column}:");
             assert!(told.iter().any(|one| one.starts_with(&start)), "{told:?}");

@@ -445,6 +445,10 @@ def assess(
     cushion_library: PathLike | None = None,
     parquet: bool = False,
     outcomes: bool = False,
+    budget: str | None = None,
+    restraints: PathLike | None = None,
+    horizon_years: float | None = None,
+    discount_ratio: float | None = None,
     force: bool = False,
 ) -> AssessResult:
     """Which objects of an inventory must be restrained.
@@ -477,6 +481,12 @@ def assess(
         Whether anchored objects are assessed as if they were free.
     parquet, outcomes : bool, default False
         Whether to write objects.parquet, and what happened to every object in every world.
+    budget : str, optional
+        The most that restraints may cost, such as "20000 NZD": the result then has their `plan`, life safety first.
+    restraints : path, optional
+        Your own restraints (CSV); its entries replace built-in entries with the same id.
+    horizon_years, discount_ratio : float, optional
+        Years over which the savings of restraints count, and their discount per year; 50 and 0.03 are assumed.
     force : bool, default False
         Whether to write into a folder with other files.
 
@@ -496,10 +506,11 @@ def assess(
         fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, sheet=sheet, edit=edits,
         storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
         format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
-        resume=flag("resume", resume),
+        resume=flag("resume", resume), budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
     )  # fmt: skip
     files = study_file(study) | {
         "columns": (columns, None), "library": (library, None), "cushion_library": (cushion_library, None),
+        "restraints": (restraints, None),
     }  # fmt: skip
     _check_progress(progress)
     folder, own = _folder(out)

@@ -20,7 +20,7 @@ pub const PLAN_NAME: &str = "plan.csv";
 /// The file of everything that the plan was chosen from.
 pub const ALTERNATIVES_NAME: &str = "plan_alternatives.csv";
 
-/// Rows of measures that are not planned, in the report.
+/// Rows of options that are not planned, in the report.
 const MOST_ROWS: usize = 300;
 
 /// Writes `plan.csv` and `plan_alternatives.csv`.
@@ -58,14 +58,14 @@ fn amount(value: f64) -> String {
     }
 }
 
-/// Whether a measure is planned, in words.
+/// Whether an option is planned, in words.
 pub(super) fn standing_words(standing: Standing) -> &'static str {
     match standing {
         Standing::In(Planned::LifeSafety) => "planned: life safety",
         Standing::In(Planned::Pays) => "planned: it pays",
         Standing::In(Planned::AvoidsFalls) => "planned: it avoids falls",
         Standing::Out(why) => match why {
-            NotPlanned::AnotherMeasure => "another measure is planned",
+            NotPlanned::AnotherMeasure => "another option is planned",
             NotPlanned::Unfunded => "the budget does not reach it",
             NotPlanned::DoesNotPay => "does not pay",
             NotPlanned::NothingToSave => "the list has no cost of its fall",
@@ -75,6 +75,9 @@ pub(super) fn standing_words(standing: Standing) -> &'static str {
             NotPlanned::HoldsContents => "not calculated: it holds what is on the object",
             NotPlanned::Pad => "not calculated: a pad softens landings and holds nothing",
             NotPlanned::NoMass => "not calculated: the mass of the object is not known",
+            NotPlanned::Stacked => {
+                "not calculated: something stands on the object, which is not held"
+            }
             NotPlanned::NotInAPlane => {
                 "not calculated: a flexible hold, and the object does not move in a plane"
             }
@@ -97,7 +100,7 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
     if plan.without_measure > 0 {
         let objects = counted(plan.without_measure as usize, "object");
         said.push(format!(
-            "{objects} whose fall may hurt somebody: no measure has a calculated effect. Restrain them all the same, by \
+            "{objects} whose fall may hurt somebody: no option has a calculated effect. Restrain them all the same, by \
              their forces."
         ));
     }
@@ -210,7 +213,7 @@ fn force(row: &PlanRow) -> String {
     }
 }
 
-/// The probability with a measure: `0.4 % (0.1–2 %)`.
+/// The probability with an option: `0.4 % (0.1–2 %)`.
 fn after(row: &PlanRow) -> String {
     row.effect
         .as_ref()
@@ -224,12 +227,12 @@ fn after(row: &PlanRow) -> String {
         })
 }
 
-/// The headings of a table of measures, and whether each is of numbers.
+/// The headings of a table of options, and whether each is of numbers.
 const HEADINGS: [(&str, bool); 9] = [
     ("object", false),
     ("item", false),
     ("life safety", false),
-    ("measure", false),
+    ("option", false),
     ("cost", true),
     ("force", false),
     ("falls", false),
@@ -283,7 +286,7 @@ pub(super) fn plan_text(plan: &BudgetPlan) -> String {
     if unpaid > 0 {
         text += &format!(
             "{} would not pay: {ALTERNATIVES_NAME}\n",
-            counted(unpaid, "measure")
+            counted(unpaid, "option")
         );
     }
     text + "Capacities and prices that are recalled or assumed are named in report.html\n"
@@ -346,7 +349,7 @@ pub(super) fn plan_html(plan: &BudgetPlan) -> String {
     html
 }
 
-/// The rows of the sheet: headings, then every measure, as texts and numbers.
+/// The rows of the sheet: headings, then every option, as texts and numbers.
 pub(super) fn sheet_rows(plan: &BudgetPlan) -> impl Iterator<Item = Vec<SheetCell>> {
     let number = |value: Option<f64>| SheetCell::Number(value);
     let text = |value: &str| SheetCell::Text(value.to_owned());
@@ -387,7 +390,7 @@ pub(super) fn sheet_headings(plan: &BudgetPlan) -> Vec<(String, f64)> {
         plain("place", 22.0),
         plain("quantity", 9.0),
         plain("life safety", 11.0),
-        plain("measure", 16.0),
+        plain("option", 16.0),
         plain("what it is", 40.0),
         plain("status", 40.0),
         money("cost"),

@@ -56,9 +56,9 @@ answer! {
         only_falling: usize,
         /// What the plan within a budget was asked, and what it leaves; `null`: no budget was given.
         budget: Option<BudgetPlan>,
-        /// The measures of the plan.
+        /// The options of the plan.
         plan: Option<Vec<PlanRow>>,
-        /// Every measure for every object, those of the plan first.
+        /// Every option for every object, those of the plan first.
         plan_alternatives: Option<Vec<PlanRow>>,
         /// What has changed since an earlier assessment; `null`: none was named.
         since: Option<Since>,

@@ -14,6 +14,7 @@ use freestand_assess::verdict::{
     Effect, Grip, GripAt, Measure, NotCalculated, Restrained, Wanted, restrained,
 };
 use freestand_assess::worlds::Worlds;
+use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_inventory::library::{
@@ -145,6 +146,11 @@ impl Budget {
         })
     }
 
+    /// The files that it reads besides the list.
+    pub fn inputs(&self) -> &[InputFile] {
+        &self.library.inputs
+    }
+
     /// What the results depend on, for a manifest.
     pub fn told(&self) -> String {
         let files: Vec<&str> = self
@@ -213,6 +219,8 @@ pub enum NotPlanned {
     NoMass,
     /// The hold is flexible, and the object does not move in a plane.
     NotInAPlane,
+    /// Something stands on the object, which it does not hold.
+    Stacked,
 }
 
 /// Whether a measure is in the plan.
@@ -459,7 +467,8 @@ impl Budget {
     /// `None`: nothing needs to be done, or nothing is known of it.
     fn candidate<'a>(&'a self, row: Row<'a>) -> Option<Candidate<'a>> {
         let before = row.found.p_overturn?;
-        let is_asked = row.found.decision == Decision::Restrain || before.value > 0.0;
+        let is_asked = before.value > 0.0
+            || !matches!(row.found.decision, Decision::Leave | Decision::NoVerdict);
         if !is_asked || row.item.anchored == Some(true) {
             return None;
         }
@@ -488,16 +497,12 @@ impl Budget {
     ) -> PlanRow {
         let item = candidate.item;
         let effect = found.and_then(|found| found.as_ref().ok()).cloned();
-        let at_study = |probability: &Probability| Level {
-            intensity_ratio: 1.0,
-            probability: probability.value,
-        };
         let rated = effect
             .as_ref()
             .zip(free)
             .and_then(|(effect, (free, hazard))| {
-                let before = rate(&free.free, at_study(&candidate.before), hazard)?;
-                let after = rate(&effect.levels, at_study(&effect.overturn), hazard)?;
+                let before = rate(&free.free, hazard)?;
+                let after = rate(&effect.levels, hazard)?;
                 Some(([before.0, after.0.min(before.0)], before.1))
             });
         let rates = rated.map(|(rates, _)| rates);
@@ -677,6 +682,7 @@ impl NotPlanned {
             NotCalculated::NoMass => Self::NoMass,
             NotCalculated::DoesNotRoll => Self::AvoidsNoFalls,
             NotCalculated::NotInAPlane => Self::NotInAPlane,
+            NotCalculated::Stacked => Self::Stacked,
         }
     }
 }
@@ -702,10 +708,10 @@ fn measure(entry: &RestraintEntry) -> Option<Measure> {
 }
 
 /// Falls a year from their probabilities at several intensities, and whether there may be more.
-fn rate(others: &[Level], at_study: Level, hazard: &Hazard) -> Option<(f64, bool)> {
-    let mut levels = others.to_vec();
-    levels.push(at_study);
-    levels.sort_by(|a, b| a.intensity_ratio.total_cmp(&b.intensity_ratio));
-    let found = annual_rate(&levels, |ratio| hazard.annual_rate(ratio)).ok()?;
+fn rate(levels: &[Level], hazard: &Hazard) -> Option<(f64, bool)> {
+    let found = annual_rate(levels, |ratio| hazard.annual_rate(ratio)).ok()?;
     Some((found.rate_per_year, found.is_at_least))
 }
+
+#[cfg(test)]
+mod tests;

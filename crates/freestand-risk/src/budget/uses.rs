@@ -20,11 +20,16 @@ const CYLINDERS: [&str; 9] = [
     "botella de gas",
 ];
 
-/// Words by which beds and incubators are recognised, in which somebody lies.
-const OCCUPIED: [&str; 5] = [
-    "incubator neonatal",
+/// Words by which incubators of children and beds are recognised, in which somebody lies. An incubator alone may be
+/// one of a laboratory.
+const OCCUPIED: [&str; 9] = [
     "neonatal incubator",
+    "infant incubator",
     "infant warmer",
+    "incubadora neonatal",
+    "incubatrice neonatale",
+    "couveuse",
+    "kuvoz",
     "hospital bed",
     "patient bed",
 ];

@@ -231,7 +231,7 @@ pub fn merge_shards(
     };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);
-    let folder = staged(&study, &inventory, target, &job)?;
+    let folder = staged(&study, &inventory, target, &job, None)?;
     let motions = dir.join(MOTIONS);
     let store = Store::of_shards(&out)?;
     let keep = Keep {

@@ -68,7 +68,7 @@ pub(super) fn summary(
     Ok(page.sheet)
 }
 
-/// Every measure of the plan, and those that it was chosen from, then what is said of them.
+/// Every option of the plan, and those that it was chosen from, then what is said of them.
 pub(super) fn plan(plan: &BudgetPlan, styles: &Styles) -> Result<Worksheet, XlsxError> {
     let mut sheet = Worksheet::new();
     sheet.set_name("Plan")?;

@@ -1,0 +1,224 @@
+#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
+
+use freestand::fragility::uniform_draw;
+use freestand::worlds::{Group, object_stream};
+use freestand_study::run::no_progress;
+
+use super::*;
+
+fn request(budget: &str) -> BudgetRequest {
+    BudgetRequest {
+        budget: crate::amount(budget).unwrap(),
+        horizon_years: None,
+        discount_ratio: None,
+        restraints: None,
+        cells: CellsRequest::default(),
+    }
+}
+
+const LIST: &str = "id,item,height [mm],thickness [mm],level_ratio,replacement_cost [NZD],life_safety\n\
+                    a,shelf,1900,400,1,5000,H\n";
+
+fn of_list(list: &str, request: &BudgetRequest) -> Result<Budget, Problems> {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("list.csv");
+    std::fs::write(&path, list).unwrap();
+    Budget::new(request, &path)
+}
+
+fn refused(list: &str, request: &BudgetRequest) -> String {
+    let problems = of_list(list, request).unwrap_err();
+    problems
+        .into_iter()
+        .map(|one| one.message)
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
+#[test]
+fn a_budget_needs_one_currency() {
+    assert_eq!(
+        crate::amount("15,000 NZD").unwrap(),
+        (15e3, "NZD".to_owned())
+    );
+    for bad in ["15000", "-5 NZD", "15,00 NZD", "NZD", "", "1,2345 NZD"] {
+        assert!(crate::amount(bad).is_err(), "{bad}");
+    }
+    assert!(of_list(LIST, &request("15000 NZD")).is_ok());
+    let message = refused(LIST, &request("15000 EUR"));
+    assert_eq!(
+        message,
+        "the budget is in EUR, and the costs of the list are in NZD"
+    );
+    let message = refused(LIST, &request("15000 BRL"));
+    assert_eq!(
+        message,
+        "the prices of the built-in restraints are not known in BRL"
+    );
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("mine.csv");
+    let rows = "id,item,kind,for,hold,price_low,price_high,currency,price_source,price_confidence\n\
+                rope,rope,tether,at-wall,rigid,5,9,EUR,shop,stated\n";
+    std::fs::write(&path, rows).unwrap();
+    let mine = BudgetRequest {
+        restraints: Some(path),
+        ..request("15000 NZD")
+    };
+    let message = refused(LIST, &mine);
+    assert_eq!(
+        message,
+        "the restraint \"rope\" is priced in EUR, and the budget is in NZD"
+    );
+}
+
+/// A list without costs is planned for people alone, and says so.
+#[test]
+fn a_list_without_costs_has_none() {
+    let list = "id,item,height [mm],thickness [mm],level_ratio\na,shelf,1900,400,1\n";
+    assert!(!of_list(list, &request("900 NZD")).unwrap().has_costs);
+    assert!(of_list(LIST, &request("900 NZD")).unwrap().has_costs);
+}
+
+fn row(object: usize, measure: usize, draw: &mut impl FnMut(f64, f64) -> f64) -> PlanRow {
+    let probability = |value| Probability {
+        value,
+        low: value,
+        high: value,
+    };
+    let before = draw(0.2, 1.0);
+    let after = before * draw(0.0, 1.0);
+    let loss = draw(0.0, 300.0);
+    let saved = loss * draw(0.0, 1.0);
+    let cost = draw(1.0, 10.0);
+    // Each rating a third of the objects.
+    let rating = [Some(Rating::High), Some(Rating::Medium), None][object % 3];
+    PlanRow {
+        id: object.to_string(),
+        item: String::new(),
+        place: String::new(),
+        quantity: 1,
+        measure: measure.to_string(),
+        measure_item: String::new(),
+        kind: RestraintKind::Strap,
+        standing: Standing::Out(NotPlanned::AvoidsNoFalls),
+        cost: [cost; 3],
+        currency: "NZD".to_owned(),
+        capacity_n: Some(1.0),
+        beta: 0.3,
+        confidence: (None, Confidence::Stated),
+        before: probability(before),
+        effect: Some(Effect {
+            overturn: probability(after),
+            exceeded_ratio: Some(0.0),
+            force_n: None,
+            levels: Vec::new(),
+        }),
+        rates: Some([before / 100.0, after / 100.0]),
+        is_at_least: false,
+        losses: Some([loss, loss - saved]),
+        benefit: Some(0.1 * saved),
+        life_safety: (rating, false),
+    }
+}
+
+/// What a plan is worth: falls of what is rated high, of what is rated medium, then money.
+fn worth(rows: &[&PlanRow]) -> [f64; 3] {
+    let falls = |rating| {
+        let own = rows.iter().filter(|row| row.life_safety.0 == Some(rating));
+        own.filter_map(|row| row.falls_avoided()).sum::<f64>()
+    };
+    // Money is spent on what is not bought for people.
+    let money = rows.iter().filter(|row| row.life_safety.0.is_none());
+    let money = money
+        .map(|row| row.benefit.unwrap_or(0.0) - row.cost[1])
+        .sum();
+    [falls(Rating::High), falls(Rating::Medium), money]
+}
+
+/// The plan against every choice of a measure or none for each of five objects: no choice within the budget avoids more
+/// falls of what is rated high; of those that avoid as many, none more of what is rated medium; of those, none saves more
+/// money. Sums of at most five numbers: 1e-12.
+#[test]
+fn a_plan_is_the_best_of_all_choices() {
+    let budget = of_list(LIST, &request("15 NZD")).unwrap();
+    let (mut all_bought, mut some_left) = (0, 0);
+    for sample in 0..120 {
+        let mut random = object_stream(7, sample, 1, Group::Restraint, 0);
+        let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
+        let objects = 5;
+        let rows: Vec<(usize, PlanRow)> = (0..objects)
+            .flat_map(|object| (0..2).map(move |measure| (object, measure)))
+            .map(|(object, measure)| (object, row(object, measure, &mut draw)))
+            .collect();
+        let mut best = [0.0; 3];
+        for choice in 0..3usize.pow(objects as u32) {
+            let chosen: Vec<&PlanRow> = (0..objects)
+                .filter_map(|object| {
+                    let measure = choice / 3usize.pow(object as u32) % 3;
+                    rows.iter()
+                        .find(|(place, row)| *place == object && row.measure == measure.to_string())
+                })
+                .map(|(_, row)| row)
+                .collect();
+            let cost: f64 = chosen.iter().map(|row| row.cost[1]).sum();
+            let worth = worth(&chosen);
+            if cost <= budget.amount && worth > best {
+                best = worth;
+            }
+        }
+        let plan = budget.chosen(rows, objects, true, &no_progress);
+        let planned: Vec<&PlanRow> = plan.planned().collect();
+        let found = worth(&planned);
+        assert!(plan.cost <= budget.amount && plan.is_optimal);
+        for (found, best) in found.iter().zip(best) {
+            assert!((found - best).abs() < 1e-12, "{sample}: {found:?} {best:?}");
+        }
+        // Objects that somebody needs are bought, or counted as unfunded.
+        let people = |row: &&PlanRow| row.life_safety.0.is_some();
+        let bought = planned.iter().copied().filter(|row| people(&row)).count();
+        assert_eq!(bought + plan.unfunded.0 as usize, 4, "{sample}");
+        all_bought += usize::from(plan.unfunded.0 == 0);
+        some_left += usize::from(plan.unfunded.0 > 0);
+    }
+    assert!(all_bought > 5 && some_left > 5, "{all_bought} {some_left}");
+}
+
+/// Without yearly rates what is left is spent on falls of everything else.
+#[test]
+fn without_rates_falls_are_avoided() {
+    let budget = of_list(LIST, &request("15 NZD")).unwrap();
+    let mut random = object_stream(7, 0, 2, Group::Restraint, 0);
+    let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
+    let mut one = row(2, 0, &mut draw);
+    (one.rates, one.losses, one.benefit) = (None, None, None);
+    let plan = budget.chosen(vec![(0, one.clone())], 1, false, &no_progress);
+    let standing = plan.rows[0].standing;
+    assert_eq!(standing, Standing::In(Planned::AvoidsFalls));
+    let expected = one.before.value - one.effect.as_ref().unwrap().overturn.value;
+    assert_eq!(one.falls_avoided(), Some(expected));
+    // With rates but without costs there is nothing to save.
+    one.rates = Some([0.01, 0.0]);
+    let plan = budget.chosen(vec![(0, one)], 1, true, &no_progress);
+    assert_eq!(
+        plan.rows[0].standing,
+        Standing::Out(NotPlanned::NothingToSave)
+    );
+}
+
+/// The upper end with a restraint is not below the probability that it gives way.
+#[test]
+fn a_restraint_that_may_give_way_promises_nothing() {
+    let mut random = object_stream(7, 0, 3, Group::Restraint, 0);
+    let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
+    let mut one = row(0, 0, &mut draw);
+    let effect = one.effect.as_mut().unwrap();
+    effect.overturn = Probability {
+        value: 0.01,
+        low: 0.0,
+        high: 0.04,
+    };
+    effect.exceeded_ratio = Some(0.3);
+    assert_eq!(one.after_high(), Some(0.3));
+    one.effect.as_mut().unwrap().exceeded_ratio = Some(0.02);
+    assert_eq!(one.after_high(), Some(0.04));
+}
