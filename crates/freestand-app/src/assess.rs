@@ -18,6 +18,7 @@ use freestand_study::study::{Study, TitleBlock};
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
 use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
+use crate::sites::{self, Site};
 
 /// The schema of the response.
 pub use crate::job::SCHEMA;
@@ -28,6 +29,10 @@ request! { question
         /// The study and the list.
         #[command(flatten)]
         pub list: ListKeys,
+        /// File of sites (TOML), each `[sites.NAME]` with place, storeys, study and inventory of its own: one table,
+        /// and with a budget one plan, over all of them
+        #[arg(long, value_name = "FILE.toml")]
+        pub sites: Option<Written>,
         /// Continue an earlier run in the same folder
         #[arg(long, action = ArgAction::SetTrue)]
         pub resume: Switch,
@@ -110,6 +115,8 @@ pub struct Meant {
     budget: Option<BudgetRequest>,
     /// The folder of an earlier assessment.
     since: Option<PathBuf>,
+    /// The sites, each with what is asked about it, in place of the list.
+    pub sites: Option<Vec<Site>>,
     pages: Option<usize>,
     with_cards: bool,
     title: TitleBlock,
@@ -162,7 +169,15 @@ impl Question for Assess {
         let text = |read: &mut WordReader<'_>, key| read.one(key).map(str::to_owned);
         let list = self.list.judged(&mut read, files, seed);
         let budget = budget(&mut read, &list, files);
-        let meant = Meant {
+        let sites = path(&mut read, "sites", files);
+        for key in ["resume", "since"] {
+            if sites.is_some() && read.has(key) {
+                let message = format!("`{key}` is for one list, not for several sites");
+                read.note(&[key], message, "leave it out");
+            }
+        }
+        let mut meant = Meant {
+            sites: None,
             list,
             budget,
             since: path(&mut read, "since", files),
@@ -182,11 +197,22 @@ impl Question for Assess {
                 revision: text(&mut read, "revision"),
             },
         };
+        // What is wrong with the request is wrong for every site.
+        if let Some(path) = sites.filter(|_| read.problems.is_empty()) {
+            let sites = sites::sites(self, &path, files);
+            meant.sites = read.problems.keep(sites);
+        }
         read.problems.finish(Some(meant))
     }
 
     fn check(&self, files: &Files) -> Result<(), Problems> {
-        self.resolve(files)?.study().map(drop)
+        let meant = self.resolve(files)?;
+        match &meant.sites {
+            Some(sites) => sites
+                .iter()
+                .try_for_each(|site| site.meant.study().map(drop)),
+            None => meant.study().map(drop),
+        }
     }
 
     fn set_seed(&mut self, seed: Option<Written>) {

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand_app::assess::{Assess, SCHEMA};
 use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
-use freestand_app::job::{Job, assess_telling};
+use freestand_app::job::{Beside, Job, Spending, assess_telling};
 use freestand_app::request::Question as _;
 use freestand_app::run::Run;
 use freestand_input::keys::KeyStyle;
@@ -81,15 +81,11 @@ pub(crate) fn assess(
         let inventory = meant.list.inventory(&study)?;
         let budget = meant.budget(&inventory)?;
         let progress = |step: Step| told.step(step, stop);
-        let report = assess_telling(
-            &study,
-            &inventory,
-            &out,
-            &job,
-            budget.as_ref(),
-            None,
-            &progress,
-        )?;
+        let beside = Beside {
+            spending: budget.as_ref().map(Spending::Planned),
+            earlier: meant.earlier()?,
+        };
+        let report = assess_telling(&study, &inventory, &out, &job, beside, None, &progress)?;
         let mut text = rows_head(SCHEMA)?;
         let mut separator = "";
         object_rows(&out, &inventory, |row| {

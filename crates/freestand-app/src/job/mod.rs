@@ -2,12 +2,16 @@
 //! moment and resumed.
 
 mod shards;
+mod sites;
 
 pub use shards::{
     Merged, PLAN_SCHEMA, PlanRequest, SHARD_SCHEMA, ShardReport, check_shards, merge_shards,
     plan_shards, run_shard,
 };
 
+pub use sites::{SITES_SCHEMA, SiteRun, assess_sites, sites_read};
+
+use std::cell::RefCell;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
@@ -27,7 +31,7 @@ use freestand_report::assessment::{
     WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows, said, write_all,
     write_worlds,
 };
-use freestand_risk::budget::{Budget, BudgetPlan};
+use freestand_risk::budget::{Budget, BudgetPlan, Priced};
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::{Progress, Stage, Step};
 use freestand_study::study::Study;
@@ -100,11 +104,28 @@ pub fn assess_into(
     )
 }
 
+/// For what the measures of a list are calculated.
+#[derive(Clone, Copy)]
+pub enum Spending<'b> {
+    /// For the plan of this list.
+    Planned(&'b Budget),
+    /// For the plan of several lists, which takes them from here.
+    Priced(&'b Budget, &'b RefCell<Option<Priced>>),
+}
+
+impl<'b> Spending<'b> {
+    fn budget(self) -> &'b Budget {
+        match self {
+            Self::Planned(budget) | Self::Priced(budget, _) => budget,
+        }
+    }
+}
+
 /// What is made of the results of a run, beside its outputs.
 #[derive(Default)]
 pub struct Beside<'b> {
-    /// The plan within a budget.
-    pub budget: Option<&'b Budget>,
+    /// Measures within a budget.
+    pub spending: Option<Spending<'b>>,
     /// What has changed since an earlier assessment.
     pub earlier: Option<Earlier>,
 }
@@ -130,7 +151,7 @@ pub fn assess_telling(
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
-        && beside.budget.is_none()
+        && beside.spending.is_none()
         && beside.earlier.is_none()
         && let Some(report) = finished(target, &key, study, inventory, job, &head)
     {
@@ -139,6 +160,7 @@ pub fn assess_telling(
     let parts = Part::of_run(inventory.items.len(), size);
     let names = progress_names(&parts);
     announce(target, job.force, SCHEMA, &names)?;
+    let budget = beside.spending.map(Spending::budget);
     let folder = staged(study, inventory, target, job, budget)?;
     let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
     let rows = tell.map(|tell| (JsonRows::new(inventory), tell));
@@ -223,8 +245,9 @@ fn written(
         beside,
     } = run;
     let settings = &study.assessment;
+    let budget = beside.spending.map(Spending::budget);
     let plan = planned(
-        beside.budget,
+        beside.spending,
         study,
         inventory,
         motions,
@@ -282,27 +305,38 @@ fn written(
 
 /// The plan within a budget. A run that was stopped has none.
 fn planned(
-    budget: Option<&Budget>,
+    spending: Option<Spending>,
     study: &Study,
     inventory: &Inventory,
     motions: Option<&Path>,
     portfolio: &mut Portfolio,
     progress: Progress,
 ) -> Result<Option<BudgetPlan>, Problems> {
-    let Some(budget) = budget.filter(|_| !portfolio.interrupted) else {
+    let Some(spending) = spending.filter(|_| !portfolio.interrupted) else {
         return Ok(None);
     };
     let worlds = match &portfolio.worlds {
         Some(worlds) => worlds.at_intensity(1.0),
         None => shake(study, motions, progress)?,
     };
-    match budget.plan(study, inventory, worlds, portfolio.rows(), progress) {
+    let rows = portfolio.rows();
+    let priced = match spending
+        .budget()
+        .priced(study, inventory, worlds, rows, progress)
+    {
         Err(error) if error.is_stopped() => {
             portfolio.interrupted = true;
-            Ok(None)
+            return Ok(None);
         }
-        plan => plan.map(Some),
-    }
+        priced => priced?,
+    };
+    Ok(match spending {
+        Spending::Planned(budget) => Some(budget.plan(priced, progress)),
+        Spending::Priced(_, place) => {
+            *place.borrow_mut() = Some(priced);
+            None
+        }
+    })
 }
 
 /// Writes `worlds.csv`, with the worlds made anew where an earlier run assessed every object. A run

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
-use freestand_app::job::{Beside, Job, TellRow, assess_telling};
+use freestand_app::job::{Beside, Job, Spending, TellRow, assess_telling};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_inventory::{Inventory, problem_reports};
@@ -15,7 +15,7 @@ use freestand_report::assessment::{JobReport, assessment_text, object_rows};
 use freestand_study::run::{Progress, Step};
 use serde_json::{Map, Value};
 
-use super::{Done, Tell};
+use super::{Done, Tell, assess_sites};
 use crate::args::GlobalArgs;
 use crate::failure::{Failure, Left};
 use crate::printer::Printer;
@@ -37,7 +37,7 @@ fn watched_rows(rows: usize) -> usize {
 }
 
 /// The folder where no `--out` is given.
-const FOLDER: &str = "freestand-assessment";
+pub(super) const FOLDER: &str = "freestand-assessment";
 
 impl Tell for Assess {
     type Output = ();
@@ -50,6 +50,9 @@ impl Tell for Assess {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
+        if let Some(sites) = &meant.sites {
+            return assess_sites::tell(&meant, sites, global, printer);
+        }
         let study = meant.study()?;
         let inventory = meant.list.inventory(&study)?;
         let budget = meant.budget(&inventory)?;
@@ -76,8 +79,8 @@ impl Tell for Assess {
         };
         let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
         let report = watched(printer, |progress| {
-            let budget = budget.as_ref();
-            let beside = Beside { budget, earlier };
+            let spending = budget.as_ref().map(Spending::Planned);
+            let beside = Beside { spending, earlier };
             assess_telling(&study, &inventory, &out, &job, beside, finished, progress)
         })?;
         print(&report, &out, &inventory, printer)?;

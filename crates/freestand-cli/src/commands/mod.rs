@@ -1,6 +1,7 @@
 //! One file for each command.
 
 mod assess;
+mod assess_sites;
 mod check;
 mod completions;
 mod cushion;

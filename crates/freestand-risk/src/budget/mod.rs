@@ -412,6 +412,16 @@ answer_of!(BudgetPlan as plan {
     is_optimal: bool = plan.is_optimal;
 });
 
+/// Every measure for every object of a list, before anything is chosen.
+#[derive(Debug, Clone)]
+pub struct Priced {
+    /// Each with the number of its object.
+    rows: Vec<(usize, PlanRow)>,
+    objects: usize,
+    has_rates: bool,
+    has_costs: bool,
+}
+
 /// An object that may be restrained.
 struct Candidate<'a> {
     item: &'a Item,
@@ -421,17 +431,22 @@ struct Candidate<'a> {
 
 impl Budget {
     /// The plan for the objects of an assessment.
+    pub fn plan(&self, priced: Priced, progress: Progress) -> BudgetPlan {
+        self.chosen(priced, progress).0
+    }
+
+    /// What every measure does to every object of an assessment, and what it costs.
     ///
     /// # Errors
     /// A part of the assessment that cannot be read, a motion that cannot be generated, or a stop.
-    pub fn plan<'a>(
+    pub fn priced<'a>(
         &self,
         study: &Study,
         inventory: &'a Inventory,
         worlds: Worlds,
         rows: impl Iterator<Item = Result<Row<'a>, Problem>>,
         progress: Progress,
-    ) -> Result<BudgetPlan, Problems> {
+    ) -> Result<Priced, Problems> {
         let mut candidates: Vec<Candidate> = Vec::new();
         for row in rows {
             candidates.extend(self.candidate(row?));
@@ -461,7 +476,12 @@ impl Budget {
                 rows.push((object, self.row(candidate, entry, found, free, years)));
             }
         }
-        Ok(self.chosen(rows, candidates.len(), hazard.is_some(), progress))
+        Ok(Priced {
+            rows,
+            objects: candidates.len(),
+            has_rates: hazard.is_some(),
+            has_costs: self.has_costs,
+        })
     }
 
     /// `None`: nothing needs to be done, or nothing is known of it.
@@ -551,14 +571,14 @@ impl Budget {
         }
     }
 
-    /// Chooses among all measures: [`crate::plan`].
-    fn chosen(
-        &self,
-        mut rows: Vec<(usize, PlanRow)>,
-        objects: usize,
-        has_rates: bool,
-        progress: Progress,
-    ) -> BudgetPlan {
+    /// Chooses among all measures: [`crate::plan`]. Also the number of the object of each row.
+    fn chosen(&self, priced: Priced, progress: Progress) -> (BudgetPlan, Vec<usize>) {
+        let Priced {
+            mut rows,
+            objects,
+            has_rates,
+            has_costs,
+        } = priced;
         let worths: Vec<Worth> = rows
             .iter()
             .filter(|(_, row)| row.effect.is_some())
@@ -658,7 +678,8 @@ impl Budget {
             .iter()
             .filter_map(|entry| per_unit(entry, &self.currency))
             .find(|rate| *rate != 1.0);
-        BudgetPlan {
+        let (numbers, rows) = rows.into_iter().unzip();
+        let plan = BudgetPlan {
             amount: self.amount,
             currency: self.currency.clone(),
             cost,
@@ -666,14 +687,48 @@ impl Budget {
             discount_ratio: self.discount_ratio,
             is_horizon_assumed: self.is_horizon_assumed,
             has_rates,
-            has_costs: self.has_costs,
+            has_costs,
             converted,
             unfunded: (unfunded_objects, unfunded_cost),
             without_measure,
             is_optimal: spent.is_optimal(),
-            rows: rows.into_iter().map(|(_, row)| row).collect(),
+            rows,
+        };
+        (plan, numbers)
+    }
+}
+
+/// One plan for the objects of several sites, of which the first says what is asked, and the site of each of its
+/// rows. Where the yearly rates of a site are not known, falls in the earthquakes of their studies count for all:
+/// a fall a year and a fall in one earthquake are no sum. `None`: there is no site.
+pub fn plan_over_sites(
+    sites: Vec<(String, &Budget, Priced)>,
+    progress: Progress,
+) -> Option<(BudgetPlan, Vec<String>)> {
+    let budget = sites.first()?.1;
+    let mut all = Priced {
+        rows: Vec::new(),
+        objects: 0,
+        has_rates: sites.iter().all(|(_, _, priced)| priced.has_rates),
+        has_costs: sites.iter().any(|(_, _, priced)| priced.has_costs),
+    };
+    let mut names: Vec<String> = Vec::new();
+    for (name, _, priced) in sites {
+        let before = all.objects;
+        all.objects += priced.objects;
+        names.resize(all.objects, name);
+        let numbered = priced.rows.into_iter();
+        all.rows
+            .extend(numbered.map(|(object, row)| (before + object, row)));
+    }
+    if !all.has_rates {
+        for (_, row) in &mut all.rows {
+            (row.rates, row.losses, row.benefit) = (None, None, None);
         }
     }
+    let (plan, numbers) = budget.chosen(all, progress);
+    let sites = numbers.into_iter().map(|number| names[number].clone());
+    Some((plan, sites.collect()))
 }
 
 impl NotPlanned {

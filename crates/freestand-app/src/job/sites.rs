@@ -1,0 +1,135 @@
+//! Several sites in one run: each is assessed into a folder of its own, and what they share beside these.
+
+use std::cell::RefCell;
+use std::path::{Path, PathBuf};
+
+use freestand_input::problem::{Problem, Problems};
+use freestand_inventory::Inventory;
+use freestand_output::folder::{MANIFEST, OutputFolder};
+use freestand_output::json::document;
+use freestand_report::assessment::{SHARED_NAMES, SitesReport, write_sites};
+use freestand_risk::budget::{Budget, plan_over_sites};
+use freestand_study::resolve::motion_paths;
+use freestand_study::run::Progress;
+use freestand_study::study::Study;
+use serde_json::json;
+
+use super::{Beside, Job, Spending, assess_telling};
+use crate::sites::Site;
+
+/// Schema of the document of several sites.
+pub const SITES_SCHEMA: &str = "freestand.assess.sites/1";
+
+/// A site with everything that its assessment needs.
+pub struct SiteRun {
+    /// Its name, which is that of its folder.
+    pub name: String,
+    study: Study,
+    /// Its list.
+    pub inventory: Inventory,
+    budget: Option<Budget>,
+}
+
+/// Reads what each site needs, before any work.
+///
+/// # Errors
+/// Everything that is wrong with any of them; costs in another currency than the budget.
+pub fn sites_read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
+    let mut problems = Problems::default();
+    let mut read = Vec::new();
+    for site in sites {
+        let found = site.meant.study().and_then(|study| {
+            let inventory = site.meant.list.inventory(&study)?;
+            let budget = site.meant.budget(&inventory)?;
+            let name = site.name.clone();
+            Ok(SiteRun {
+                name,
+                study,
+                inventory,
+                budget,
+            })
+        });
+        match found {
+            Ok(one) => read.push(one),
+            Err(found) => found.problems.into_iter().for_each(|mut problem| {
+                problem.message = format!("[sites.{}]: {}", site.name, problem.message);
+                problems.push(problem);
+            }),
+        }
+    }
+    problems.finish(Some(read))
+}
+
+/// Assesses every site into a folder of its name in `target`, and writes beside them the table of all objects and the
+/// plan over all sites. A run that is stopped leaves nothing.
+///
+/// # Errors
+/// As [`assess_telling`], and a stop.
+pub fn assess_sites(
+    sites: &[SiteRun],
+    target: &Path,
+    job: &Job,
+    progress: Progress,
+) -> Result<SitesReport, Problems> {
+    let inputs = sites.iter().flat_map(|site| {
+        let source = site.study.source.iter().cloned();
+        source
+            .chain(motion_paths(&site.study))
+            .chain([site.inventory.path.clone()])
+    });
+    let folder = OutputFolder::stage(target, job.force, &inputs.collect::<Vec<PathBuf>>())?
+        .of_command(SITES_SCHEMA)?;
+    let names = SHARED_NAMES.iter().chain([&MANIFEST]);
+    folder.check(&names.map(|name| (*name).to_owned()).collect::<Vec<_>>())?;
+    let mut reports = Vec::new();
+    let mut priced = Vec::new();
+    for site in sites {
+        let into = folder.place_for(&format!("{}/{MANIFEST}", site.name))?;
+        let into = into.parent().unwrap_or(&into);
+        let costs = RefCell::new(None);
+        let spending = site.budget.as_ref();
+        let beside = Beside {
+            spending: spending.map(|budget| Spending::Priced(budget, &costs)),
+            earlier: None,
+        };
+        let report = assess_telling(
+            &site.study,
+            &site.inventory,
+            into,
+            job,
+            beside,
+            None,
+            progress,
+        )?;
+        if report.interrupted {
+            return Err(Problem::stopped().into());
+        }
+        let of_site = site.budget.as_ref().zip(costs.into_inner());
+        priced.extend(of_site.map(|(budget, rows)| (site.name.clone(), budget, rows)));
+        reports.push((site.name.clone(), report));
+    }
+    let mut report = SitesReport::of(reports, target);
+    if let Some((plan, names)) = plan_over_sites(priced, progress) {
+        report = report.planned(plan, names);
+    }
+    // The folders of the sites were made where they do not stay.
+    for one in &mut report.sites {
+        one.report.out = target.join(&one.site).display().to_string();
+    }
+    write_sites(&folder, &report)?;
+    report.files = folder.names()?;
+    report.files.push(MANIFEST.to_owned());
+    report.files.sort_unstable();
+    let body = json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "complete": true,
+        "objects": report.objects,
+        "decisions": report.decisions,
+        "sites": sites.iter().map(|site| &site.name).collect::<Vec<_>>(),
+        "files": report.files,
+    });
+    let manifest = document(SITES_SCHEMA, &body, &report.all_warnings())?;
+    folder.write(MANIFEST, manifest.as_bytes())?;
+    report.removed = folder.commit()?.removed;
+    Ok(report)
+}

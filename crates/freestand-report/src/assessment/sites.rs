@@ -1,0 +1,238 @@
+//! Several sites in one answer: a table of all objects, the counts of each site, and one plan.
+
+use std::path::Path;
+
+use freestand_assess::result::Decision;
+use freestand_input::problem::{Problem, ProblemKind};
+use freestand_input::words::counted;
+use freestand_output::answer;
+use freestand_output::answer::{Answer as _, ByName};
+use freestand_output::facts;
+use freestand_output::folder::OutputFolder;
+use freestand_output::table::Table;
+use freestand_risk::budget::{BudgetPlan, PlanRow};
+
+use super::csv::CSV_NAME;
+use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, plan_text};
+use super::told::JobReport;
+use crate::table::table;
+
+/// The file with the counts of each site.
+pub const SITES_NAME: &str = "sites.csv";
+
+/// The files that all sites share.
+pub const SHARED_NAMES: [&str; 4] = [CSV_NAME, SITES_NAME, PLAN_NAME, ALTERNATIVES_NAME];
+
+answer! {
+    /// What became of the objects of a site.
+    pub struct SiteReport {
+        site: String = "site",
+        report: JobReport = flat,
+    }
+
+    /// A measure of the plan over all sites.
+    pub struct SitePlanRow {
+        site: String = "site",
+        row: PlanRow = flat,
+    }
+
+    /// What became of the objects of all sites; its fields are the keys of the JSON document.
+    pub struct SitesReport {
+        /// Rows of all inventories.
+        objects: usize,
+        /// Objects of all sites by decision.
+        decisions: ByName<usize>,
+        /// Each site, as an assessment of it alone tells.
+        sites: Vec<SiteReport>,
+        /// What the plan within a budget was asked, and what it leaves; `null`: no budget was given.
+        budget: Option<BudgetPlan>,
+        /// The measures of the plan over all sites.
+        plan: Option<Vec<SitePlanRow>>,
+        /// Every measure for every object of all sites.
+        plan_alternatives: Option<Vec<SitePlanRow>>,
+        /// The folder.
+        out: String,
+        /// The files in it.
+        files: Vec<String>,
+        /// The files of an earlier run that were removed from it.
+        removed: Vec<String>,
+    }
+}
+
+impl SitesReport {
+    /// Of these sites, before there is a plan or a file.
+    pub fn of(sites: Vec<(String, JobReport)>, out: &Path) -> Self {
+        let count = |one: Decision| {
+            let all = sites.iter().map(|(_, report)| report.count(one) as usize);
+            (one.name(), all.sum())
+        };
+        Self {
+            objects: sites.iter().map(|(_, report)| report.objects).sum(),
+            decisions: ByName(Decision::ALL.map(count).into()),
+            sites: sites
+                .into_iter()
+                .map(|(site, report)| SiteReport { site, report })
+                .collect(),
+            budget: None,
+            plan: None,
+            plan_alternatives: None,
+            out: out.display().to_string(),
+            files: Vec::new(),
+            removed: Vec::new(),
+        }
+    }
+
+    /// With the plan over all sites; each measure with its site.
+    #[must_use]
+    pub fn planned(mut self, plan: BudgetPlan, sites: Vec<String>) -> Self {
+        let rows = plan.rows.iter().cloned().zip(sites);
+        let rows: Vec<SitePlanRow> = rows.map(|(row, site)| SitePlanRow { site, row }).collect();
+        let planned = rows.iter().filter(|one| one.row.is_planned()).cloned();
+        self.plan = Some(planned.collect());
+        self.plan_alternatives = Some(rows);
+        self.budget = Some(plan);
+        self
+    }
+
+    /// The warnings of all sites, each with its site.
+    pub fn all_warnings(&self) -> Vec<String> {
+        let of = |one: &SiteReport| {
+            let site = one.site.clone();
+            let warnings = one.report.all_warnings().into_iter();
+            warnings.map(move |warning| format!("{site}: {warning}"))
+        };
+        self.sites.iter().flat_map(of).collect()
+    }
+}
+
+/// Writes the files that all sites share; the folders of the sites are in `folder` already.
+///
+/// # Errors
+/// A table of a site that cannot be read again, or a full disk.
+pub fn write_sites(folder: &OutputFolder, report: &SitesReport) -> Result<(), Problem> {
+    let names: Vec<&str> = report.sites.iter().map(|one| one.site.as_str()).collect();
+    objects(folder, &names)?;
+    let rows = report.sites.iter().map(|one| {
+        let counts = Decision::ALL.map(|decision| (decision, one.report.count(decision)));
+        let facts = facts::Facts::default()
+            .key("site", one.site.clone())
+            .key("place", one.report.place_name.clone())
+            .key("objects", one.report.objects);
+        counts.into_iter().fold(facts, |facts, (decision, count)| {
+            facts.key(decision.name(), count)
+        })
+    });
+    write(folder, SITES_NAME, &facts::table(rows)?)?;
+    if let (Some(plan), Some(all)) = (&report.plan, &report.plan_alternatives) {
+        for (name, rows) in [(PLAN_NAME, plan), (ALTERNATIVES_NAME, all)] {
+            if rows.is_empty() {
+                let empty: Vec<String> = SitePlanRow::properties().keys().cloned().collect();
+                folder.write(name, format!("{}\n", empty.join(",")).as_bytes())?;
+            } else {
+                write(
+                    folder,
+                    name,
+                    &facts::table(rows.iter().map(SitePlanRow::facts))?,
+                )?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn write(folder: &OutputFolder, name: &str, table: &Table) -> Result<(), Problem> {
+    folder.write(name, table.as_ref())
+}
+
+/// Writes `objects.csv` of all sites: that of each site, with its name before it. Columns that only some lists have
+/// are empty for the others.
+fn objects(folder: &OutputFolder, sites: &[&str]) -> Result<(), Problem> {
+    let open = |site: &str| {
+        let path = folder.path_of(&format!("{site}/{CSV_NAME}"))?;
+        let problem = |error: csv::Error| {
+            Problem::new(ProblemKind::Io, format!("cannot be read again: {error}")).in_file(&path)
+        };
+        let mut reader = csv::Reader::from_path(&path).map_err(problem)?;
+        let header = reader.headers().map_err(problem)?.clone();
+        Ok::<_, Problem>((reader, header))
+    };
+    let mut names: Vec<String> = Vec::new();
+    for site in sites {
+        let (_, header) = open(site)?;
+        let new: Vec<String> = header
+            .iter()
+            .filter(|name| !names.iter().any(|known| known == name))
+            .map(str::to_owned)
+            .collect();
+        names.extend(new);
+    }
+    let mut file = folder.begin(CSV_NAME)?;
+    let head = std::iter::once("site").chain(names.iter().map(String::as_str));
+    file.write(&line(head)?)?;
+    for site in sites {
+        let (reader, header) = open(site)?;
+        let places: Vec<Option<usize>> = names
+            .iter()
+            .map(|name| header.iter().position(|own| own == name))
+            .collect();
+        for record in reader.into_records() {
+            let record = record.map_err(|error| {
+                Problem::new(
+                    ProblemKind::Io,
+                    format!("{site}: cannot be read again: {error}"),
+                )
+            })?;
+            let cells = places
+                .iter()
+                .map(|place| place.and_then(|at| record.get(at)).unwrap_or(""));
+            file.write(&line(std::iter::once(*site).chain(cells))?)?;
+        }
+    }
+    file.finish()
+}
+
+/// A line of CSV.
+fn line<'a>(cells: impl Iterator<Item = &'a str>) -> Result<Vec<u8>, Problem> {
+    let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
+    let failed = |error: &dyn std::fmt::Display| {
+        Problem::new(
+            ProblemKind::Computation,
+            format!("a row is no CSV: {error}"),
+        )
+    };
+    writer.write_record(cells).map_err(|error| failed(&error))?;
+    writer.into_inner().map_err(|error| failed(&error))
+}
+
+/// What became of the objects of all sites, on the console.
+pub fn sites_text(report: &SitesReport) -> String {
+    let mut headings = vec!["site", "place", "objects"];
+    headings.extend(Decision::ALL.map(Decision::name));
+    let rows: Vec<Vec<String>> = report
+        .sites
+        .iter()
+        .map(|one| {
+            let place = one.report.place_name.clone().unwrap_or_default();
+            let mut row = vec![one.site.clone(), place, one.report.objects.to_string()];
+            row.extend(Decision::ALL.map(|decision| one.report.count(decision).to_string()));
+            row
+        })
+        .collect();
+    let mut text = table(&headings, &rows);
+    text.push_str(&format!(
+        "\n{} at {}\n",
+        counted(report.objects, "object"),
+        counted(report.sites.len(), "site")
+    ));
+    if let Some(plan) = &report.budget {
+        text.push_str(&format!("\n{}", plan_text(plan)));
+    }
+    let shared = report.files.iter().filter(|name| !name.contains('/'));
+    let named: Vec<&str> = shared.map(String::as_str).collect();
+    text.push_str(&format!(
+        "\nFiles in {}: {}; and a folder for each site\n",
+        report.out,
+        named.join(", ")
+    ));
+    text
+}
