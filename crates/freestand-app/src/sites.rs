@@ -67,7 +67,7 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
         wrong(
             path,
             message,
-            "write `[sites.NAME]`, and below it `place = \"…\"` and `inventory = \"…\"`",
+            "write [sites.NAME], and below it place = \"…\" and inventory = \"…\"",
         )
     })?;
     let strange = document
@@ -76,7 +76,7 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
         .find(|key| *key != "sites");
     if let Some(key) = strange {
         let message = format!("\"{}\" is not a table of a file of sites", shorten(key));
-        problems.push(wrong(path, message, "write `[sites.NAME]` for each site"));
+        problems.push(wrong(path, message, "write [sites.NAME] for each site"));
     }
     let all = document.get("sites").and_then(Item::as_table_like);
     let all: Vec<(&str, &Item)> = all.into_iter().flat_map(|all| all.iter()).collect();
@@ -84,7 +84,7 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
         problems.push(wrong(
             path,
             "there is no site",
-            "write `[sites.NAME]` for each site",
+            "write [sites.NAME] for each site",
         ));
     }
     let mut sites: Vec<Site> = Vec::new();
@@ -124,7 +124,7 @@ fn own_keys() -> Vec<String> {
 /// One site.
 fn site(request: &Assess, path: &Path, item: &Item, files: &Files) -> Result<Meant, Problems> {
     let Some(table) = item.as_table_like() else {
-        let hint = "write `place = \"…\"` and `inventory = \"…\"` below `[sites.NAME]`";
+        let hint = "write place = \"…\" and inventory = \"…\" below [sites.NAME]";
         return Err(Problem::format("is not a table", hint).into());
     };
     let mut entries = Map::new();
@@ -151,7 +151,7 @@ fn site(request: &Assess, path: &Path, item: &Item, files: &Files) -> Result<Mea
         *name = Written::Text(folder.join(name.text()).display().to_string());
     }
     if own.inventory.is_none() && own.study.is_none() {
-        let hint = "give `inventory = \"list.xlsx\"`, or a study that names its list";
+        let hint = "write inventory = \"list.xlsx\" below [sites.NAME], or name a study that names its list";
         problems.push(Problem::value("it has no list", hint));
     }
     let mut one = request.clone();
@@ -177,10 +177,7 @@ fn value(key: &str, item: &Item) -> Result<Value, Problem> {
     });
     found.ok_or_else(|| {
         let message = format!("{key} must be a text or a number");
-        Problem::format(
-            message,
-            "write it as `place = \"Wellington\"` or `storeys = 6`",
-        )
+        Problem::format(message, "write it as place = \"Wellington\" or storeys = 6")
     })
 }
 

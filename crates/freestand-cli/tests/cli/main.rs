@@ -50,6 +50,7 @@ mod shards;
 mod shock;
 mod shock_spectrum;
 mod since;
+mod sites;
 mod sliding;
 mod spatial;
 mod spectrum;

@@ -1,0 +1,119 @@
+//! Several sites in one run.
+
+use std::path::Path;
+
+use serde_json::Value;
+
+use crate::program::{document, refused};
+
+const HEAD: &str = "id,item,level_ratio,height,thickness,mass,life_safety,falls_cost\n";
+const FILE: &str = "[sites.Wellington]\nplace = \"Wellington\"\nstoreys = 6\ninventory = \"lists/a.csv\"\n\n\
+                    [sites.\"Auckland 2\"]\nplace = \"Auckland\"\nstoreys = 3\ninventory = \"lists/b.csv\"\n";
+
+fn written(folder: &Path) {
+    std::fs::create_dir(folder.join("lists")).unwrap();
+    // Only the second list has a column of its own.
+    let a =
+        format!("{HEAD}shelf,shelf,0,2 m,0.3 m,100 kg,high,500\ndesk,desk,0,0.8 m,1.4 m,60 kg,,\n");
+    std::fs::write(folder.join("lists/a.csv"), a).unwrap();
+    let b = "id,item,level_ratio,height,thickness,mass,owner\nshelf,shelf,0,2 m,0.3 m,100 kg,Ann\n";
+    std::fs::write(folder.join("lists/b.csv"), b).unwrap();
+    std::fs::write(folder.join("sites.toml"), FILE).unwrap();
+}
+
+/// Each site has the verdicts of an assessment of it alone, in one table; the plan is over all of them.
+#[test]
+fn sites_are_assessed_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    written(here);
+    let asked = ["assess", "--sites", "sites.toml", "--out", "out"];
+    let told = document(here, &[&asked[..], &["--budget", "5000 NZD"]].concat());
+    let rows = told["rows"].as_array().unwrap();
+    let sites: Vec<[&str; 2]> = rows
+        .iter()
+        .map(|row| ["site", "id"].map(|key| row[key].as_str().unwrap()))
+        .collect();
+    let expected = [
+        ["Wellington", "shelf"],
+        ["Wellington", "desk"],
+        ["Auckland 2", "shelf"],
+    ];
+    assert_eq!(sites, expected);
+    let alone = [
+        "assess",
+        "--inventory",
+        "lists/a.csv",
+        "--place",
+        "Wellington",
+        "--storeys",
+        "6",
+    ];
+    let alone = document(here, &[&alone[..], &["--out", "alone"]].concat());
+    for (row, own) in rows.iter().zip(alone["rows"].as_array().unwrap()) {
+        for key in ["decision", "p_overturn", "p_overturn_high", "why"] {
+            assert_eq!(row[key], own[key], "{key}");
+        }
+    }
+    let table = std::fs::read_to_string(here.join("out/objects.csv")).unwrap();
+    let mut lines = csv::Reader::from_reader(table.as_bytes());
+    let heads = lines.headers().unwrap().clone();
+    let owner = heads.iter().position(|head| head == "owner").unwrap();
+    let owners: Vec<String> = lines
+        .records()
+        .map(|one| one.unwrap()[owner].to_owned())
+        .collect();
+    assert_eq!(
+        (&heads[0], owners),
+        ("site", ["", "", "Ann"].map(str::to_owned).to_vec())
+    );
+    // One plan: what it leaves out is told of the objects of both sites.
+    let all = told["plan_alternatives"].as_array().unwrap();
+    let of = |name: &str| {
+        all.iter()
+            .any(|row| row["site"] == name && row["id"] == "shelf")
+    };
+    assert!(of("Wellington") && of("Auckland 2"));
+    let plan = told["plan"].as_array().unwrap();
+    let cost: f64 = plan.iter().map(|row| row["cost"].as_f64().unwrap()).sum();
+    assert!((cost - told["budget"]["cost"].as_f64().unwrap()).abs() < 1e-9);
+    assert!(cost <= 5000.0);
+    let written = std::fs::read_to_string(here.join("out/plan.csv")).unwrap();
+    assert_eq!(written.lines().count(), 1 + plan.len());
+    assert!(here.join("out/Auckland 2/report.html").is_file());
+    let counted: Vec<&Value> = told["sites"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| &one["objects"])
+        .collect();
+    assert_eq!(counted, [2, 1]);
+    // The same run replaces its own files.
+    document(here, &asked);
+}
+
+#[test]
+fn what_is_wrong_with_a_site_names_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    written(here);
+    let told = |file: &str, more: &[&str]| {
+        std::fs::write(here.join("wrong.toml"), file).unwrap();
+        refused(
+            here,
+            &[&["assess", "--sites", "wrong.toml"][..], more].concat(),
+        )
+    };
+    assert!(
+        told("[sites.nul]\ninventory = \"lists/a.csv\"\n", &[])
+            .contains("[sites.nul]: Windows keeps")
+    );
+    assert!(told("[sites.a]\nplac = \"Rome\"\n", &[]).contains("[sites.a]: \"plac\" is not known"));
+    assert!(told("[sites.a]\nplace = \"Wellington\"\n", &[]).contains("[sites.a]: it has no list"));
+    assert!(told("x = 1\n", &[]).contains("is not a table of a file of sites"));
+    let unknown = "[sites.a]\nplace = \"Nowhere at all\"\ninventory = \"lists/a.csv\"\n";
+    assert!(told(unknown, &[]).contains("[sites.a]: "));
+    assert!(told(FILE, &["--place", "Auckland"]).contains("each site has its own"));
+    assert!(told(FILE, &["--resume"]).contains("not for several sites"));
+    assert!(!here.join("freestand-assessment").exists());
+}
