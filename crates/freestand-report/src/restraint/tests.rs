@@ -1,12 +1,20 @@
 use freestand_assess::restrain::{
-    Assumed, Doubt, NotHeld, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
-    StandsOn, restrain,
+    Anchors, Assumed, Doubt, Missing, NotHeld, RestrainFactors, RestrainFloor, RestrainHazard,
+    RestrainRequest, StandsOn, restrain,
 };
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
 
 use super::words::{assumption, doubt_words, floor_words, not_held};
 use super::*;
+
+/// Anchors at the edges.
+fn at_edges() -> Anchors {
+    Anchors {
+        inset_m: Some(0.0),
+        ..Anchors::default()
+    }
+}
 
 /// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, 140 kg.
 fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest {
@@ -23,9 +31,8 @@ fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest 
         },
         factors: RestrainFactors::default(),
         component: Some("cabinet".to_owned()),
-        anchor_inset_m: Some(0.0),
+        anchors: at_edges(),
         units: UnitSystem::Si,
-        anchors_per_edge: 2,
         is_compared: false,
     }
 }
@@ -131,6 +138,7 @@ fn every_sentence() {
         Assumed::CgHeight,
         Assumed::NoWidth,
         Assumed::Inset(0.075),
+        Assumed::Insets(0.075),
     ];
     all.extend(
         assumed
@@ -148,8 +156,8 @@ fn every_sentence() {
         NotHeld::Anchored,
         NotHeld::Unconfirmed(vec!["mass".to_owned(), "height".to_owned()]),
         NotHeld::Stacked,
-        NotHeld::Unknown(vec!["mass"]),
-        NotHeld::Unknown(vec!["mass", "height", "floor"]),
+        NotHeld::Unknown(vec![Missing::Mass]),
+        NotHeld::Unknown(vec![Missing::Mass, Missing::Height, Missing::Floor]),
         NotHeld::Refused(Problems::from(refused)),
     ];
     all.extend(why.iter().map(not_held));
