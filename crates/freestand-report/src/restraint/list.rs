@@ -211,6 +211,16 @@ pub(super) fn name(one: &HeldItem) -> String {
     }
 }
 
+/// `0.62`, `1.2 (not enough)`.
+fn ratio_words(ratio: f64) -> String {
+    let digits = number(ratio, 3);
+    if ratio > 1.0 {
+        format!("{digits} (not enough)")
+    } else {
+        digits
+    }
+}
+
 fn line(one: &HeldItem, units: UnitSystem) -> Vec<String> {
     let mut line = vec![one.row.to_string(), name(one)];
     match &one.found {
@@ -222,7 +232,7 @@ fn line(one: &HeldItem, units: UnitSystem) -> Vec<String> {
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
             ]);
-            line.extend(case.demand_capacity_ratio().map(|ratio| number(ratio, 3)));
+            line.extend(case.demand_capacity_ratio().map(ratio_words));
         }
         Err(why) => line.push(not_held(why)),
     }

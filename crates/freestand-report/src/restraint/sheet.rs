@@ -1,5 +1,6 @@
 //! `restraint.html`: a sheet to print for each object.
 
+use freestand_input::keys::KeyStyle;
 use freestand_input::words::number;
 use freestand_output::html::{
     self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, paragraph,
@@ -33,7 +34,7 @@ sub { font-size: .72em; line-height: 0; }
 .object { border-top: 2px solid #1a1a1a; margin-top: 2rem; }
 @media print {
   .object { break-before: page; border-top: none; margin-top: 0; }
-  .object > h2 { font-size: 15pt; margin: 0; }
+  .object > h2 { font-size: 15pt; margin: 0; border: none; padding: 0; }
   h1 { font-size: 15pt; }
   .sub { margin-bottom: .5rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
@@ -103,22 +104,20 @@ pub fn restraint_sheets(report: &RestrainListReport) -> String {
             .map(|problem| format!("In the list: {problem}")),
     );
     html.push_str(&heading("Assumed, and to be known"));
-    html.push_str(&list(&notes));
+    html.push_str(&bullets(&notes));
     for one in &held.objects {
         let Ok(case) = &one.found else {
             continue;
         };
-        let whereabouts = [("floor", &one.floor), ("room", &one.room)]
-            .into_iter()
-            .filter(|(_, name)| !name.is_empty())
-            .map(|(what, name)| format!("{what} {name}. "));
-        let below = format!(
-            "Row {} of the list, {} of it. {}{}",
-            one.row,
-            one.quantity,
-            whereabouts.collect::<String>(),
-            subtitle(case)
+        let many = (one.quantity > 1).then(|| format!("{} of them", one.quantity));
+        let names = [&one.floor, &one.room].map(|name| Some(name.clone()));
+        let mut about = vec![format!("Row {} of the list", one.row)];
+        about.extend(
+            many.into_iter()
+                .chain(names.into_iter().flatten())
+                .filter(|text| !text.is_empty()),
         );
+        let below = format!("{}. {}", about.join(", "), subtitle(case));
         html.push_str(&format!(
             "<section class=\"object\">\n<h2>{}</h2>\n<p class=\"sub\">{}</p>\n{}</section>\n",
             escape(&name(one)),
@@ -170,6 +169,7 @@ fn sheet(case: &Case, id: &str) -> String {
     html.push_str("</div>\n<div>\n");
     html.push_str(&object_and_results(case));
     html.push_str("</div>\n</div>\n");
+    html.push_str("<div class=\"sheet\">\n<div>\n");
     html.push_str(&heading("The force"));
     let ratio = number(own.source.force.formula_ratio, 4);
     html.push_str(&format!(
@@ -194,8 +194,10 @@ fn sheet(case: &Case, id: &str) -> String {
         &[vec![words("factor"), words("value"), words("who says so")]],
         &rows,
     ));
+    html.push_str("</div>\n<div>\n");
     html.push_str(&heading("The anchors"));
     html.push_str(&anchors(case));
+    html.push_str("</div>\n</div>\n");
     if !case.others.is_empty() {
         html.push_str(&heading("For comparison, on the same spectrum"));
         let mut titles = vec![words("clause")];
@@ -242,7 +244,7 @@ fn sheet(case: &Case, id: &str) -> String {
          need a design of their own, and so does the part of the object that is held."
             .to_owned(),
     );
-    html.push_str(&list(&notes));
+    html.push_str(&bullets(&notes));
     let asset = if id.is_empty() {
         "Object or asset no."
     } else {
@@ -282,6 +284,12 @@ fn confirmations(case: &Case) -> String {
         "<section class=\"confirm\">\n{}{table}</section>\n",
         heading("To be confirmed by the engineer")
     )
+}
+
+/// A list of sentences, in which keys are the flags of the command.
+fn bullets(notes: &[String]) -> String {
+    let shown = notes.iter().map(|note| KeyStyle::Flag.shown(note));
+    list(&shown.collect::<Vec<_>>())
 }
 
 /// A warning as a sentence.
