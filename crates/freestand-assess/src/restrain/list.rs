@@ -189,6 +189,11 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
     };
     let has_inset =
         request.anchors.inset_m.is_some() || probe.question.settings.anchor_inset_m.is_some();
+    let of_building = probe
+        .assumptions
+        .iter()
+        .filter(|one| **one == Assumed::StoreyHeight);
+    assumptions.extend(of_building.cloned());
     assumptions.extend((!has_inset).then_some(Assumed::Insets(ASSUMED_INSET_M)));
     let mut held = HeldList {
         objects: Vec::new(),
