@@ -43,7 +43,10 @@ pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64)
     match assumed {
         Assumed::Ground => "No floor was given: the object is on the ground.".to_owned(),
         Assumed::StoreyHeight => {
-            format!("A storey is {} m high.", number(DEFAULT_STOREY_HEIGHT_M, 3))
+            format!(
+                "A storey is {} high.",
+                units.storey(DEFAULT_STOREY_HEIGHT_M)
+            )
         }
         Assumed::Site(site) => format!("The site was not given: class {site}."),
         Assumed::ReturnPeriod(years) => format!("The return period was not given: {years} years."),
