@@ -6,8 +6,8 @@ use std::sync::Arc;
 use clap::{Arg, ArgAction};
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
-    self, DEFAULT_ANCHORS_PER_EDGE, RestrainFactors, RestrainFloor, RestrainHazard,
-    RestrainListRequest, RestrainRequest,
+    self, Anchor, Anchors, DEFAULT_ANCHORS_PER_EDGE, Pivot, RestrainFactors, RestrainFloor,
+    RestrainHazard, RestrainListRequest, RestrainRequest,
 };
 use freestand_input::file::load as load_file;
 use freestand_input::keys::Words;
@@ -109,7 +109,7 @@ request! { question
         #[arg(long, value_name = "RATIO", help_heading = "Factors")]
         pub building_ductility: Option<Written>,
 
-        /// What the object is, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
+        /// What the object is, or those of a list whose name does not say it, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
         /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
         /// words, such as "emergency generator" [default: other, the row for other components]
         #[arg(long, value_name = "NAME")]
@@ -118,6 +118,19 @@ request! { question
         /// a quarter of the side]
         #[arg(long, value_name = "LENGTH")]
         pub anchor_inset: Option<Written>,
+        /// The line about which an object tips: edge of the base, or feet that the anchors fix
+        /// [default: edge]
+        #[arg(long, value_name = "LINE", value_parser = one_of(&Pivot::ALL))]
+        pub pivot: Option<Written>,
+        /// Name of the anchor that you have chosen
+        #[arg(long, value_name = "NAME")]
+        pub anchor: Option<Written>,
+        /// Its design capacity in tension, to which the tension in concrete is compared
+        #[arg(long, value_name = "FORCE")]
+        pub anchor_capacity: Option<Written>,
+        /// Its design capacity in shear; the ratio of the shear is then added
+        #[arg(long, value_name = "FORCE")]
+        pub anchor_shear_capacity: Option<Written>,
         /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
         /// --mass, --height, --thickness, or of the list]
         #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
@@ -141,7 +154,7 @@ fn of_parts(arg: Arg) -> Arg {
             .help("Place or coordinates, with their code and hazard; see freestand place list")
             .help_heading(EARTHQUAKE),
         "code" => arg
-            .help("Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018")
+            .help("Design code, with its values: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5")
             .help_heading(EARTHQUAKE),
         "edition" => arg.help(
             "Edition: 2016 or 2022 of ASCE 7 [default: 2022; with --place 2016, in California 2022]",
@@ -248,13 +261,12 @@ impl Question for Restrain {
 }
 
 /// Keys of one object alone.
-const OF_ONE: [&str; 7] = [
+const OF_ONE: [&str; 6] = [
     "mass",
     "height",
     "thickness",
     "width",
     "cg_height",
-    "component",
     "compare",
 ];
 
@@ -282,7 +294,6 @@ impl Restrain {
         let common = common(read);
         let width_m = read.positive("width", Dimension::Length);
         let cg_height_m = read.positive("cg_height", Dimension::Length);
-        let component = read.one("component").map(str::to_owned);
         let is_compared = read.flag("compare");
         let (height_m, thickness_m) = size?;
         let units = common.units.unwrap_or_else(|| typed_units(words));
@@ -295,10 +306,9 @@ impl Restrain {
             hazard: NOTHING,
             floor: common.floor,
             factors: common.factors,
-            component,
-            anchor_inset_m: common.anchor_inset_m,
+            component: common.component,
+            anchors: common.anchors,
             units,
-            anchors_per_edge: common.anchors_per_edge,
             is_compared,
         })
     }
@@ -327,8 +337,8 @@ impl Restrain {
             hazard: NOTHING,
             floor: common.floor,
             factors: common.factors,
-            anchor_inset_m: common.anchor_inset_m,
-            anchors_per_edge: common.anchors_per_edge,
+            component: common.component,
+            anchors: common.anchors,
             units: common.units,
         })
     }
@@ -377,9 +387,34 @@ impl Restrain {
 struct Common {
     floor: RestrainFloor,
     factors: RestrainFactors,
-    anchor_inset_m: Option<f64>,
-    anchors_per_edge: usize,
+    component: Option<String>,
+    anchors: Anchors,
     units: Option<UnitSystem>,
+}
+
+/// The anchors; a name or a shear capacity alone has no effect.
+fn anchors(read: &mut WordReader<'_>) -> Anchors {
+    let name = read.one("anchor").map(str::to_owned);
+    let tension_n = read.positive("anchor_capacity", Dimension::Force);
+    let shear_n = read.positive("anchor_shear_capacity", Dimension::Force);
+    if !read.has("anchor_capacity") {
+        read.idle(
+            &["anchor", "anchor_shear_capacity"],
+            "no `anchor_capacity` is given, the design capacity of the anchor in tension",
+        );
+    }
+    Anchors {
+        inset_m: read.non_negative("anchor_inset", Dimension::Length),
+        pivot: read.choice("pivot", &Pivot::ALL).unwrap_or_default(),
+        per_edge: read
+            .whole_within("anchors_per_edge", 1..=MAX_ANCHORS)
+            .map_or(DEFAULT_ANCHORS_PER_EDGE.get(), usize::from),
+        chosen: tension_n.map(|tension_n| Anchor {
+            name,
+            tension_n,
+            shear_n,
+        }),
+    }
 }
 
 fn common(read: &mut WordReader<'_>) -> Common {
@@ -400,10 +435,8 @@ fn common(read: &mut WordReader<'_>) -> Common {
             strength_ratio: read.positive("strength", Dimension::Ratio),
             building_ductility_ratio: read.positive("building_ductility", Dimension::Ratio),
         },
-        anchor_inset_m: read.non_negative("anchor_inset", Dimension::Length),
-        anchors_per_edge: read
-            .whole_within("anchors_per_edge", 1..=MAX_ANCHORS)
-            .map_or(DEFAULT_ANCHORS_PER_EDGE.get(), usize::from),
+        component: read.one("component").map(str::to_owned),
+        anchors: anchors(read),
         units: read.choice("units", &UnitSystem::ALL),
     }
 }

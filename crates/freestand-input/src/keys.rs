@@ -71,6 +71,8 @@ const ARGUMENTS: &[(&str, &str, &str)] = &[
     ("strength_ratio", "strength", ""),
     ("building_ductility_ratio", "building_ductility", ""),
     ("anchor_inset_m", "anchor_inset", " m"),
+    ("anchor_capacity_n", "anchor_capacity", " N"),
+    ("anchor_shear_capacity_n", "anchor_shear_capacity", " N"),
     ("inventory", "list", ""),
     ("edits", "edit", ""),
     ("cg_rise_m", "cg_rise", " m"),

@@ -10,7 +10,9 @@ use freestand_assess::restrain::{restrain as restrained, restrain_list as restra
 use freestand_input::problem::Problems;
 use freestand_output::answer::Answer as _;
 use freestand_report::object::object_report;
-use freestand_report::restraint::{restrain_list_report, restrain_report, restraint_sheet};
+use freestand_report::restraint::{
+    restrain_list_report, restrain_report, restraint_sheet, restraint_sheets,
+};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -59,22 +61,23 @@ fn restraints(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Asked> {
     meant.asked().map_err(of_study)
 }
 
-/// The force that a restraint has to carry: the document, and a sheet to print (HTML); of a list the document alone.
+/// The force that a restraint has to carry: the document, and a sheet to print (HTML), of a list one for each object.
 #[pyfunction]
 pub(crate) fn restrain(
     py: Python<'_>,
     request: &Bound<'_, PyDict>,
     files: Named,
-) -> PyResult<(String, Option<String>)> {
+) -> PyResult<(String, String)> {
     let work = match restraints(request, files)? {
         Asked::One(one) => watched(py, None, |_| {
             let report = restrain_report(restrained(one)?);
             let sheet = restraint_sheet(&report);
-            Ok((report.facts(), report.warnings, Some(sheet)))
+            Ok((report.facts(), report.warnings, sheet))
         })?,
         Asked::List(list) => watched(py, None, |_| {
             let report = restrain_list_report(restrained_list(&list)?);
-            Ok((report.facts(), report.warnings, None))
+            let sheets = restraint_sheets(&report);
+            Ok((report.facts(), report.warnings, sheets))
         })?,
     };
     let (document, warnings, sheet) = work.map_err(|problems: Problems| raised_all(problems))?;

@@ -151,13 +151,18 @@ def test_restrain(tmp_path):
     same(fs.restrain(360, 1.8, 0.6, width_m=0.9, code="asce7", edition=2022, sds_g=1, level_ratio=0.5).to_dict(), theirs)
 
 
-def test_restrain_a_list():
+def test_restrain_a_list(tmp_path):
     """The rows are those of the command, as a table."""
     hospital = ROOT / "examples/hospital/inventory.csv"
     theirs = told("restrain", hospital, "--place", "Wellington", "--storeys", 4, "--units", "si")
     ours = fs.restrain_list(hospital, place="Wellington", storeys=4)
     same(ours.to_dict(), theirs)
     assert ours.table.num_rows == ours.objects and 0 < ours.held <= ours.objects
+    ours.save(tmp_path / "sheets.html")
+    assert (tmp_path / "sheets.html").read_text("utf-8").count('class="object"') == ours.held
+    anchored = fs.restrain_list(hospital, floor_acceleration_g=0.5, pivot="feet", anchor="M10", anchor_capacity_n=6000)
+    ratios = [row["demand_capacity_ratio"] for row in anchored.rows if row["force_n"]]
+    assert ratios and all(ratio >= 0 for ratio in ratios)
     with pytest.raises(fs.BadValue):
         fs.restrain_list(None, floor_acceleration_g=0.5)
 

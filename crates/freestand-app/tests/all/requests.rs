@@ -118,7 +118,8 @@ fn good() -> Vec<Asked> {
         (
             "restrain",
             json!({"mass": "360 kg", "height": "1.8 m", "thickness": "0.6 m", "width": "0.9 m", "place": "Wellington",
-            "level_ratio": "1", "anchor_inset": "75 mm", "compare": true}),
+            "level_ratio": "1", "anchor_inset": "75 mm", "pivot": "feet", "anchor": "M10", "anchor_capacity": "6 kN",
+            "anchor_shear_capacity": "4 kN", "compare": true}),
         ),
         (
             "restrain",
@@ -459,7 +460,7 @@ fn of_programs() -> Vec<Asked> {
         (
             "restrain",
             json!({"height": 1.8, "thickness_m": 0.6, "study": "/etc/passwd", "floor_acceleration_g": 0.5, "code": "asce7",
-                "anchors_per_edge": 0, "edit": ["D7=900 mm"], "sheet": "A"}),
+                "anchors_per_edge": 0, "pivot": "corner", "anchor_shear_capacity_n": -1, "edit": ["D7=900 mm"], "sheet": "A"}),
         ),
         (
             "restrain",

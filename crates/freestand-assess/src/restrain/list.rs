@@ -6,13 +6,15 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 
 use super::{
-    Assumed, Component, Demand, Doubt, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard,
-    RestrainRequest, assumed_hazard, case_of, floor_of_list,
+    Anchors, Assumed, Case, Component, Doubt, ObjectKind, RestrainFactors, RestrainFloor,
+    RestrainHazard, RestrainRequest, assumed_hazard, case_of, floor_of_list, restrain,
 };
+use crate::restraint::ASSUMED_INSET_M;
 use freestand_inventory::library::Libraries;
 use freestand_inventory::{
     CellsRequest, Finding, Item, Mapping, Rating, ReadOptions, inspect_inventory,
 };
+use freestand_study::target::Target;
 
 /// A list and what shakes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,11 +29,10 @@ pub struct RestrainListRequest {
     pub floor: RestrainFloor,
     /// Factors that take the place of those of the code, and of the study.
     pub factors: RestrainFactors,
-    /// Distance of the anchors from the edge that they hold down; `None`: that of the study, else
-    /// assumed \[m\].
-    pub anchor_inset_m: Option<f64>,
-    /// Anchors along each of the two edges.
-    pub anchors_per_edge: usize,
+    /// What an object is whose name is no row of the tables of ASCE 7.
+    pub component: Option<String>,
+    /// The anchors of each.
+    pub anchors: Anchors,
     /// The units of the texts; `None`: those of the list.
     pub units: Option<UnitSystem>,
 }
@@ -41,8 +42,10 @@ pub struct RestrainListRequest {
 pub struct HeldList {
     /// Its objects.
     pub objects: Vec<HeldItem>,
-    /// Anchors along each of the two edges.
-    pub anchors_per_edge: usize,
+    /// The anchors of each.
+    pub anchors: Anchors,
+    /// The spectrum of the hazard.
+    pub target: Option<Target>,
     /// The units of the texts.
     pub units: UnitSystem,
     /// What was not stated about the hazard.
@@ -66,21 +69,14 @@ pub struct HeldItem {
     pub row: usize,
     /// How many there are.
     pub quantity: usize,
+    /// The name of its floor in the list.
+    pub floor: String,
+    /// Its room.
+    pub room: String,
     /// Height of its floor over that of the building, where that is needed.
     pub level_ratio: Option<f64>,
-    /// The force, or why there is none.
-    pub found: Result<HeldForce, NotHeld>,
-}
-
-/// The force on an object of a list.
-#[derive(Debug, Clone, PartialEq)]
-pub struct HeldForce {
-    /// The force, moments and anchors.
-    pub demand: Demand,
-    /// Its row in the tables of ASCE 7.
-    pub component: Option<&'static Component>,
-    /// Height at which the force acts \[m\].
-    pub cg_height_m: f64,
+    /// The force with everything that it follows from, or why there is none.
+    pub found: Result<Box<Case>, NotHeld>,
 }
 
 /// Why an object has no force.
@@ -93,9 +89,30 @@ pub enum NotHeld {
     /// Another body stands on it.
     Stacked,
     /// These are not known.
-    Unknown(Vec<&'static str>),
+    Unknown(Vec<Missing>),
     /// It cannot be calculated.
     Refused(Problems),
+}
+
+/// What a list must tell of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Missing {
+    /// Its mass.
+    Mass,
+    /// Its height.
+    Height,
+    /// Its smaller horizontal size.
+    Thickness,
+    /// Its floor.
+    Floor,
+}
+
+impl Missing {
+    /// The name of its column.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
 }
 
 /// The force, moments and anchors of every object of a list; an object that has none says why.
@@ -143,9 +160,12 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
             ..request.floor.clone()
         },
         factors: request.factors,
-        component: None,
-        anchor_inset_m: None,
-        anchors_per_edge: request.anchors_per_edge,
+        component: request.component.clone(),
+        anchors: Anchors {
+            // Too large a one is told of each object that it is too large for.
+            inset_m: None,
+            ..request.anchors.clone()
+        },
         units,
         is_compared: false,
     };
@@ -161,14 +181,24 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
         floor: at(Some(0.0)),
         ..like.clone()
     };
-    let probe = case_of(probe, Ok(ObjectKind::default()))?;
-    let assumptions = match (&request.hazard, &probe.target) {
+    let probe = restrain(probe)?;
+    let stated = probe.question.object.component;
+    let mut assumptions = match (&request.hazard, &probe.target) {
         (RestrainHazard::Code(words), Some(target)) => assumed_hazard(words, target),
         _ => Vec::new(),
     };
+    let has_inset =
+        request.anchors.inset_m.is_some() || probe.question.settings.anchor_inset_m.is_some();
+    let of_building = probe
+        .assumptions
+        .iter()
+        .filter(|one| **one == Assumed::StoreyHeight);
+    assumptions.extend(of_building.cloned());
+    assumptions.extend((!has_inset).then_some(Assumed::Insets(ASSUMED_INSET_M)));
     let mut held = HeldList {
         objects: Vec::new(),
-        anchors_per_edge: request.anchors_per_edge,
+        anchors: request.anchors.clone(),
+        target: probe.target,
         units,
         assumptions,
         findings: inventory.findings.clone(),
@@ -177,7 +207,7 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
     };
     for item in &inventory.items {
         let found = object_of(item, is_on_floor).and_then(|[mass_kg, height_m, thickness_m]| {
-            let anchor_inset_m = request.anchor_inset_m;
+            let anchors = request.anchors.clone();
             let request = RestrainRequest {
                 mass_kg,
                 height_m,
@@ -185,16 +215,18 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
                 width_m: item.width_m,
                 cg_height_m: item.cg_height_m,
                 floor: at(item.level_ratio),
-                anchor_inset_m,
+                anchors,
                 ..like.clone()
             };
             let kind = ObjectKind {
-                component: Component::find(&item.item),
+                component: Component::find(&item.item).or(stated),
                 is_critical: item.consequences.life_safety == Some(Rating::High),
                 base_thickness_m: item.base_thickness_m,
                 base_width_m: item.base_width_m,
             };
-            case_of(request, Ok(kind)).map_err(NotHeld::Refused)
+            case_of(request, Ok(kind))
+                .map(Box::new)
+                .map_err(NotHeld::Refused)
         });
         for doubt in found.iter().flat_map(|case| &case.doubts) {
             if !held.doubts.contains(doubt) {
@@ -206,12 +238,10 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
             item: item.item.clone(),
             row: item.row as usize,
             quantity: item.quantity as usize,
+            floor: item.floor.clone(),
+            room: item.room.clone(),
             level_ratio: item.level_ratio.filter(|_| is_on_floor),
-            found: found.map(|case| HeldForce {
-                component: case.question.object.component,
-                cg_height_m: case.question.object.cg_height_m,
-                demand: case.own,
-            }),
+            found,
         });
     }
     Ok(held)
@@ -241,10 +271,10 @@ fn object_of(item: &Item, is_on_floor: bool) -> Result<[f64; 3], NotHeld> {
         }
         (mass, height, thickness, level) => {
             let is_missing = [
-                (mass.is_none(), "mass"),
-                (height.is_none(), "height"),
-                (thickness.is_none(), "thickness"),
-                (level.is_none() && is_on_floor, "floor"),
+                (mass.is_none(), Missing::Mass),
+                (height.is_none(), Missing::Height),
+                (thickness.is_none(), Missing::Thickness),
+                (level.is_none() && is_on_floor, Missing::Floor),
             ];
             let missing = is_missing
                 .into_iter()

@@ -3,8 +3,9 @@
 
 mod list;
 
+pub use crate::restraint::anchors::{Anchor, AnchorForces, Pivot};
 pub use crate::restraint::components::Component;
-pub use list::{HeldForce, HeldItem, HeldList, NotHeld, RestrainListRequest, restrain_list};
+pub use list::{HeldItem, HeldList, Missing, NotHeld, RestrainListRequest, restrain_list};
 
 use std::num::NonZeroUsize;
 use std::sync::Arc;
@@ -24,7 +25,7 @@ use freestand_study::study::assessment::RestraintSettings;
 use freestand_study::target::Target;
 
 use crate::list::floors_of;
-use crate::restraint::{Demand, HeldObject, RestraintQuestion, demands};
+use crate::restraint::{Demand, HeldObject, RestraintAxis, RestraintQuestion, demands};
 use crate::result::{Axis, RestraintKind};
 use freestand_inventory::{Floors, level_of_floor};
 
@@ -55,15 +56,37 @@ pub struct RestrainRequest {
     pub factors: RestrainFactors,
     /// What the object is, by the name of a row of the tables of ASCE 7 or in words; `None`: not known.
     pub component: Option<String>,
-    /// Distance of the anchors from the edge that they hold down; `None`: that of the study, else
-    /// assumed \[m\].
-    pub anchor_inset_m: Option<f64>,
-    /// Anchors along each of the two edges.
-    pub anchors_per_edge: usize,
+    /// The anchors.
+    pub anchors: Anchors,
     /// The units of the texts and of the sheet; those of names such as `force_n` do not change.
     pub units: UnitSystem,
     /// Whether other codes are shown too.
     pub is_compared: bool,
+}
+
+/// The anchors of an object.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Anchors {
+    /// Distance of the anchors from the edge that they hold down; `None`: that of the study, else
+    /// assumed \[m\].
+    pub inset_m: Option<f64>,
+    /// The line about which the object tips.
+    pub pivot: Pivot,
+    /// Anchors along each of the two edges.
+    pub per_edge: usize,
+    /// The anchor that the user has chosen.
+    pub chosen: Option<Anchor>,
+}
+
+impl Default for Anchors {
+    fn default() -> Self {
+        Self {
+            inset_m: None,
+            pivot: Pivot::default(),
+            per_edge: DEFAULT_ANCHORS_PER_EDGE.get(),
+            chosen: None,
+        }
+    }
 }
 
 /// Where the force comes from.
@@ -232,6 +255,9 @@ pub enum Assumed {
     NoWidth,
     /// Distance of the anchors from the edge that they hold down \[m\].
     Inset(f64),
+    /// The same of each object of a list, where it depends on the size of the object: at most
+    /// this \[m\].
+    Insets(f64),
 }
 
 /// What there is to know beside a force.
@@ -320,16 +346,18 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
             },
             is_floor_given: true,
             settings: RestraintSettings::default(),
+            pivot: Pivot::default(),
         },
     };
     let settings = request.factors.over(question.settings);
-    let anchor_inset_m = request.anchor_inset_m.or(settings.anchor_inset_m);
+    let anchor_inset_m = request.anchors.inset_m.or(settings.anchor_inset_m);
     let settings = RestraintSettings {
         anchor_inset_m,
         ..settings
     };
     let question = RestraintQuestion {
         settings,
+        pivot: request.anchors.pivot,
         ..question
     };
     check_inset(&question)?;
@@ -373,8 +401,11 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
         doubts.extend(idle(words, target).map(Doubt::NoEffect));
     }
-    let is_asce7 = |target: &Target| matches!(target.spectrum, CodeSpectrum::Asce7(_));
-    if request.component.is_some() && !request.is_compared && !target.as_ref().is_some_and(is_asce7)
+    if request.component.is_some()
+        && !request.is_compared
+        && !target
+            .as_ref()
+            .is_some_and(|target| uses_components(&target.spectrum))
     {
         let by = target
             .as_ref()
@@ -416,18 +447,35 @@ fn component(request: &RestrainRequest) -> Result<Option<&'static Component>, Pr
     })
 }
 
-/// Refuses anchors beyond the middle of the base: the edge would not be the one that they hold down.
+/// Whether the clause of this code asks what the object is.
+fn uses_components(spectrum: &CodeSpectrum) -> bool {
+    match spectrum {
+        CodeSpectrum::Asce7(_)
+        | CodeSpectrum::Eurocode8(_)
+        | CodeSpectrum::Ntc2018(_)
+        | CodeSpectrum::Tbdy2018(_) => true,
+        CodeSpectrum::As1170_4(_)
+        | CodeSpectrum::Nzs1170_5(_)
+        | CodeSpectrum::Ts1170_5(_)
+        | CodeSpectrum::Table(_) => false,
+    }
+}
+
+/// Refuses anchors beyond the middle of the base: the edge would not be the one that they hold down. Feet
+/// that the centre of gravity is beyond hold nothing up.
 fn check_inset(question: &RestraintQuestion) -> Result<(), Problem> {
-    let Some(inset_m) = question.settings.anchor_inset_m else {
-        return Ok(());
-    };
-    let is_beyond = |axis: &crate::restraint::RestraintAxis| inset_m >= axis.base_m / 2.0;
-    if question.object.axes.iter().any(is_beyond) {
+    let footing = question.footing();
+    let mut axes = question.object.axes.iter();
+    let is_beyond = |axis: &RestraintAxis| axis.inset_m(footing.inset_m) >= axis.base_m / 2.0;
+    if axes.clone().any(is_beyond) {
         let hint = "give the distance from the edge of the base to the anchors along it, such as \"75 mm\"";
-        return Err(
-            Problem::value("`anchor_inset` is half of the base or more", hint)
-                .of(&["anchor_inset"]),
-        );
+        let message = "`anchor_inset` is half of the base or more";
+        return Err(Problem::value(message, hint).of(&["anchor_inset"]));
+    }
+    if axes.any(|axis| axis.lever_of_weight_m(footing) <= 0.0) {
+        let hint = "give the distance from the edge of the base to the feet as `anchor_inset`, or leave `pivot` out";
+        let message = "the centre of gravity is not between the feet";
+        return Err(Problem::value(message, hint).of(&["anchor_inset", "pivot"]));
     }
     Ok(())
 }
@@ -724,14 +772,15 @@ impl Case {
         self.request.mass_kg * G0_M_S2
     }
 
-    /// The tension of one anchor \[N\]: in concrete, and elsewhere.
-    pub fn anchor_n(&self, edge_n: f64) -> f64 {
-        edge_n / self.request.anchors_per_edge as f64
+    /// What each anchor carries.
+    pub fn each_anchor(&self) -> AnchorForces {
+        self.own.of_each_anchor(self.request.anchors.per_edge)
     }
 
-    /// The shear of one anchor, the force over both edges \[N\].
-    pub fn anchor_shear_n(&self) -> f64 {
-        self.own.force.force_n / (2.0 * self.request.anchors_per_edge as f64)
+    /// Demand over capacity of the anchor that the user has chosen.
+    pub fn demand_capacity_ratio(&self) -> Option<f64> {
+        let anchor = self.request.anchors.chosen.as_ref()?;
+        Some(anchor.demand_capacity_ratio(&self.each_anchor()))
     }
 }
 

@@ -11,12 +11,14 @@ use freestand_study::study::assessment::RestraintSettings;
 
 use crate::result::{Axis, RestraintForce, RestraintKind, reported_force};
 
+use self::anchors::{Footing, Pivot};
 use self::components::Component;
 use self::sources::Source;
 use self::statics::{
     Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension,
 };
 
+pub mod anchors;
 pub mod components;
 pub mod factor;
 pub mod sources;
@@ -55,9 +57,24 @@ impl RestraintAxis {
         stated_m.unwrap_or_else(|| ASSUMED_INSET_M.min(INSET_SHARE * self.base_m))
     }
 
-    /// Lever of the anchors along one edge about the opposite edge \[m\].
-    pub(crate) fn anchor_lever_m(&self, stated_inset_m: Option<f64>) -> f64 {
-        self.base_m - self.inset_m(stated_inset_m)
+    /// Lever of the anchors along one edge about the line on the other side about which the object tips
+    /// \[m\]: B − a about the edge, B − 2a about the feet.
+    pub fn anchor_lever_m(&self, footing: Footing) -> f64 {
+        let pivot_m = self.pivot_m(footing);
+        self.base_m - self.inset_m(footing.inset_m) - pivot_m
+    }
+
+    /// Lever of the weight about that line \[m\]: e about the edge, e − a about the feet.
+    pub fn lever_of_weight_m(&self, footing: Footing) -> f64 {
+        self.least_lever_m() - self.pivot_m(footing)
+    }
+
+    /// Distance of that line from the edge \[m\].
+    fn pivot_m(&self, footing: Footing) -> f64 {
+        match footing.pivot {
+            Pivot::Edge => 0.0,
+            Pivot::Feet => self.inset_m(footing.inset_m),
+        }
     }
 }
 
@@ -128,6 +145,8 @@ pub struct RestraintQuestion {
     pub is_floor_given: bool,
     /// The keys of `[restraint]`. A factor that is stated replaces that of every code.
     pub settings: RestraintSettings,
+    /// The line about which the object tips.
+    pub pivot: Pivot,
 }
 
 impl RestraintQuestion {
@@ -152,6 +171,15 @@ impl RestraintQuestion {
             floor_acceleration_g,
             is_floor_given: false,
             settings: study.assessment.restraint,
+            pivot: Pivot::default(),
+        }
+    }
+
+    /// How the object stands on its anchors.
+    pub fn footing(&self) -> Footing {
+        Footing {
+            inset_m: self.settings.anchor_inset_m,
+            pivot: self.pivot,
         }
     }
 }
@@ -167,6 +195,10 @@ pub struct Demand {
     pub axis: Option<RestraintAxis>,
     /// Distance of the anchors from the edge about that axis \[m\].
     pub inset_m: f64,
+    /// Lever of the weight about the line about which the object tips \[m\].
+    pub weight_lever_m: f64,
+    /// Lever of the anchors along one edge about that line \[m\].
+    pub anchor_lever_m: f64,
     /// F c \[N m\].
     pub overturning_moment_n_m: f64,
     /// H e, of the weight that holds the object down \[N m\]; 0 without an axis.
@@ -184,8 +216,8 @@ pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintFor
 /// What a restraint must carry, one demand for each source: first by the study's own code, then by
 /// the acceleration of the floor, then by other codes for comparison.
 ///
-/// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8 or NZS 1170.5
-/// if the hazard is by that code. A code other than the study's receives the study's spectrum: kpZ
+/// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8, NTC 2018,
+/// NZS 1170.5, TBDY 2018 or TS 1170.5 if the hazard is by that code. A code other than the study's receives the study's spectrum: kpZ
 /// Ch(0) is then Sa(0), S_DS its plateau, and the note says so. The floor gives F = m A PFA_q, with
 /// A = 1 for a rigid bracket (a period below 0.06 s) and A = 2.5 for a flexible one, whose period is
 /// not known.
@@ -200,6 +232,9 @@ pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintFor
 /// | the same in concrete | T_c = max(0, (Ω₀ F c − H e)/(B − a)) |
 /// | a bracket at z_b, by default 0.9 h | P = F c/z_b, in concrete Ω₀ P |
 /// | the feet below it | V = F \|1 − c/z_b\| |
+///
+/// On feet that are the anchors ([`Pivot::Feet`]) the object tips about them: e − a and B − 2a take the
+/// place of e and B − a.
 ///
 /// There is no force for an object without mass or size.
 pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
@@ -250,11 +285,11 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
     let held_weight_ratio =
         held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
     let held_n = held_weight_ratio * weight_n;
-    let inset_m = question.settings.anchor_inset_m;
+    let footing = question.footing();
     let tension = |force_n: f64| {
         worst_tension(
             &object.axes,
-            inset_m,
+            footing,
             &Pulled {
                 force_n,
                 cg_height_m: object.cg_height_m,
@@ -303,14 +338,15 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
         note: note.concat(),
     };
     let axis = worst.map(|(axis, _)| axis.clone());
+    let of_axis = |value: &dyn Fn(&RestraintAxis) -> f64| axis.as_ref().map_or(0.0, value);
     Demand {
         source,
         force,
         overturning_moment_n_m: force_n * object.cg_height_m,
-        resisting_moment_n_m: axis
-            .as_ref()
-            .map_or(0.0, |axis| held_n * axis.least_lever_m()),
-        inset_m: axis.as_ref().map_or(0.0, |axis| axis.inset_m(inset_m)),
+        resisting_moment_n_m: of_axis(&|axis| held_n * axis.lever_of_weight_m(footing)),
+        inset_m: of_axis(&|axis| axis.inset_m(footing.inset_m)),
+        weight_lever_m: of_axis(&|axis| axis.lever_of_weight_m(footing)),
+        anchor_lever_m: of_axis(&|axis| axis.anchor_lever_m(footing)),
         axis,
     }
 }
@@ -343,21 +379,24 @@ fn anchor_words(
     held_weight_ratio: f64,
 ) -> String {
     let length = |value_m: f64| format_si(value_m, Dimension::Length);
-    let stated_m = question.settings.anchor_inset_m;
+    let footing = question.footing();
+    let assumed = if footing.inset_m.is_some() {
+        ""
+    } else {
+        " (assumed)"
+    };
+    let inset = length(axis.inset_m(footing.inset_m));
+    let minus = match footing.pivot {
+        Pivot::Edge => inset.clone(),
+        Pivot::Feet => format!("2 × {inset}"),
+    };
     format!(
-        " Anchors along one edge, {}, {}{}: (F × {} − {} W × {})/({} − {}).",
+        " Anchors along one edge, {}, {inset} inside it{assumed}: (F × {} − {} W × {})/({} − {minus}).",
         axis.axis.name(),
-        length(axis.inset_m(stated_m)),
-        if stated_m.is_some() {
-            " inside it"
-        } else {
-            " inside it (assumed)"
-        },
         length(question.object.cg_height_m),
         number(held_weight_ratio, 4),
-        length(axis.least_lever_m()),
+        length(axis.lever_of_weight_m(footing)),
         length(axis.base_m),
-        length(axis.inset_m(stated_m))
     )
 }
 

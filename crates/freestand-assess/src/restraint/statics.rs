@@ -3,7 +3,7 @@
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 
-use super::{RestraintAxis, RestraintQuestion};
+use super::{Footing, RestraintAxis, RestraintQuestion};
 
 /// Height of a bracket over that of the object, where the study does not state a height.
 const BRACKET_SHARE: f64 = 0.9;
@@ -34,7 +34,7 @@ pub(super) struct Pulled {
 /// The axis with the largest tension, and that tension \[N\]; `None` without an axis.
 pub(super) fn worst_tension<'a>(
     axes: &'a [RestraintAxis],
-    inset_m: Option<f64>,
+    footing: Footing,
     pulled: &Pulled,
 ) -> Option<(&'a RestraintAxis, f64)> {
     let Pulled {
@@ -43,11 +43,12 @@ pub(super) fn worst_tension<'a>(
         held_n,
     } = *pulled;
     // The largest before it is limited to 0, so that the axis does not depend on their order.
-    let moment_n_m = |axis: &RestraintAxis| force_n * cg_height_m - held_n * axis.least_lever_m();
-    let pull = |axis: &RestraintAxis| moment_n_m(axis) / axis.anchor_lever_m(inset_m);
+    let moment_n_m =
+        |axis: &RestraintAxis| force_n * cg_height_m - held_n * axis.lever_of_weight_m(footing);
+    let pull = |axis: &RestraintAxis| moment_n_m(axis) / axis.anchor_lever_m(footing);
     let usable = axes
         .iter()
-        .filter(|axis| axis.anchor_lever_m(inset_m) > 0.0);
+        .filter(|axis| axis.anchor_lever_m(footing) > 0.0);
     usable
         .map(|axis| (axis, pull(axis)))
         .max_by(|a, b| a.1.total_cmp(&b.1))

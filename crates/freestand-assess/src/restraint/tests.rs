@@ -37,6 +37,7 @@ fn cabinet(spectrum: Option<CodeSpectrum>) -> RestraintQuestion {
             anchor_inset_m: Some(0.0),
             ..RestraintSettings::default()
         },
+        pivot: Pivot::Edge,
     }
 }
 

@@ -17,7 +17,7 @@ use freestand::worlds::{Group, WallDraw, wall_cushion_at, wall_draw};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::study::assessment::{Settings, Spread};
 
-use super::capacity::{Demand, Terms};
+use super::demand::{Demand, Terms};
 use super::draw::{Change, Draw, Drawn, draw, key};
 use super::object::{AxisGeometry, Body, Model, Subject, Way, own_damping_ratio};
 use super::respond::responses;

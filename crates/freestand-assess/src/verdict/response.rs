@@ -9,7 +9,7 @@ use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
 
-use super::capacity::{Demand, Terms};
+use super::demand::{Demand, Terms};
 use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
 use crate::capacity::Capacity;

@@ -1,10 +1,11 @@
-//! `freestand restrain`: how strongly one object must be held.
+//! `freestand restrain`: how strongly one object, or each of a list, must be held.
 
 use clap::Args;
 use freestand_app::restrain::{Asked, Meant, Restrain, SCHEMA};
 use freestand_assess::restrain::{restrain, restrain_list};
 use freestand_report::restraint::{
-    restrain_list_report, restrain_report, restraint_sheet, restraint_text, restraints_text,
+    restrain_list_report, restrain_report, restraint_sheet, restraint_sheets, restraint_text,
+    restraint_workbook, restraints_text,
 };
 
 use super::{Done, Tell};
@@ -13,7 +14,7 @@ use crate::failure::Failure;
 use crate::files::Files;
 use crate::printer::Printer;
 
-/// Calculate the force that the code asks a restraint to carry, and its anchors, on one sheet
+/// Calculate the force that the code asks a restraint to carry, and its anchors, on a sheet to print
 ///
 /// The clause for parts of the place's code gives the force; the factors that are not stated are
 /// assumed, and every one is printed with who says so. The formulas are those of `assess`.
@@ -25,6 +26,7 @@ pub(crate) struct RestrainArgs {
 }
 
 const SHEET: &str = "restraint.html";
+const WORKBOOK: &str = "restraint.xlsx";
 
 impl Tell for Restrain {
     type Output = ();
@@ -46,9 +48,14 @@ impl Tell for Restrain {
                 })?;
             }
             Asked::List(list) => {
-                let report = restrain_list_report(restrain_list(&list)?);
+                let mut report = restrain_list_report(restrain_list(&list)?);
                 let files = Files::begin(global, &inputs)?;
                 files.table("restraint", || report.table())?;
+                if files.wanted() {
+                    let workbook = restraint_workbook(&report)?;
+                    files.write(WORKBOOK, || workbook)?;
+                }
+                report.sheet_path = files.write(SHEET, || restraint_sheets(&report))?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {
                     restraints_text(&report)
                 })?;

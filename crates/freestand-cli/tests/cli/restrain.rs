@@ -119,6 +119,23 @@ fn restrain_every_object_of_a_list() {
             "5",
         ]),
         with(&[&RACK[1..], &at, &["--sheet", "Objects"]].concat()),
+        with(
+            &[
+                &["list.csv"][..],
+                &at,
+                &[
+                    "--pivot",
+                    "feet",
+                    "--anchor-inset",
+                    "340 mm",
+                    "--component",
+                    "generator",
+                ],
+            ]
+            .concat(),
+        ),
+        with(&[&["list.csv"][..], &at, &["--anchor", "M10"]].concat()),
+        with(&[&["list.csv"][..], &at, &["--component", "gizmo"]].concat()),
     ];
     cases::each("restrain_every_object_of_a_list", &all);
     let told = |more: &[&str]| document(folder.path(), &[&["restrain"], more, &at[..]].concat());
@@ -164,6 +181,38 @@ fn restrain_every_object_of_a_list() {
     );
     assert_eq!(listed["rows"][1]["force_n"], wide["force_n"]);
     assert!(listed["rows"][1]["anchor_tension_n"].as_f64() > wide["anchor_tension_n"].as_f64());
+}
+
+/// A sheet for each object with a force, all objects in the workbook and the CSV.
+#[test]
+fn restrain_writes_a_list_to_print() {
+    const LIST: &str = "id,item,floor,height [in],depth [in],width [in],weight [lb]\n\
+        a,storage cabinet,2,72,24,36,800\nb,fridge,2,70,24,24,\n";
+    let folder = folder(&[("list.csv", LIST)]);
+    let anchor = ["--anchor", "M10", "--anchor-capacity", "1500 lbf"];
+    let at = [
+        "restrain",
+        "list.csv",
+        "--place",
+        "Los Angeles",
+        "--storeys",
+        "5",
+    ];
+    let all = [freestand_in(
+        folder.path(),
+        &[&at[..], &anchor, &["--out", "out"]].concat(),
+    )];
+    cases::each("restrain_writes_a_list_to_print", &all);
+    let read = |name: &str| std::fs::read(folder.path().join("out").join(name)).unwrap();
+    let html = String::from_utf8(read("restraint.html")).unwrap();
+    assert_eq!(html.matches("class=\"object\"").count(), 1, "{html}");
+    assert!(html.contains("800 lb") && html.contains("its mass is not known"));
+    assert!(read("restraint.xlsx").starts_with(b"PK"));
+    let csv = String::from_utf8(read("restraint.csv")).unwrap();
+    assert!(
+        csv.contains("demand_capacity_ratio") && csv.lines().count() == 3,
+        "{csv}"
+    );
 }
 
 /// A list that is not there is said before what else is missing.

@@ -133,6 +133,22 @@ impl UnitSystem {
         format!("{} ({})", self.force(force_n), self.other().force(force_n))
     }
 
+    /// A force as a number, and its unit: N; lbf.
+    pub fn force_number(self, force_n: f64) -> (f64, &'static str) {
+        match self {
+            Self::Si => (force_n, "N"),
+            Self::Us => (from_si("lbf", force_n), "lbf"),
+        }
+    }
+
+    /// A length as a number, and its unit: mm; in.
+    pub fn length_number(self, length_m: f64) -> (f64, &'static str) {
+        match self {
+            Self::Si => (1e3 * length_m, "mm"),
+            Self::Us => (from_si("in", length_m), "in"),
+        }
+    }
+
     /// A moment: `1110 N·m`; `819 lbf·ft`.
     pub fn moment(self, moment_n_m: f64) -> String {
         match self {
@@ -189,6 +205,9 @@ mod tests {
         assert_eq!(UnitSystem::Si.force_in_both(658.3), "658 N (148 lbf)");
         assert_eq!(UnitSystem::Us.moment(1110.4), "819 lbf·ft");
         assert_eq!(UnitSystem::Us.force(0.0), "0 lbf");
+        assert_eq!(UnitSystem::Si.length_number(0.6), (600.0, "mm"));
+        let (lbf, unit) = UnitSystem::Us.force_number(4448.221_615_260_5);
+        assert!((lbf - 1000.0).abs() < 1e-9 && unit == "lbf", "{lbf}");
         assert_eq!(UnitSystem::Us.force(44_482.216), "10000 lbf");
     }
 

@@ -207,6 +207,10 @@ def restrain(
     building_ductility_ratio: float | None = None,
     component: str | None = None,
     anchor_inset_m: float | None = None,
+    pivot: str | None = None,
+    anchor: str | None = None,
+    anchor_capacity_n: float | None = None,
+    anchor_shear_capacity_n: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
     **target: Unpack[TargetArguments],
@@ -235,6 +239,10 @@ def restrain(
         What the object is in the tables of ASCE 7, such as "generator".
     anchor_inset_m : float, optional
         Distance of the anchors from the edge that they hold down [m].
+    pivot : {"edge", "feet"}, optional
+        The line about which an object tips: the edge of its base, or feet that the anchors fix.
+    anchor, anchor_capacity_n, anchor_shear_capacity_n : optional
+        The name of the anchor that you have chosen, and its design capacities in tension and in shear [N].
     anchors_per_edge : int, optional
         Number of anchors that share the tension.
     compare : bool, default False
@@ -260,11 +268,12 @@ def restrain(
         level_ratio=level_ratio, storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        component=component, anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge,
+        component=component, anchor_inset_m=anchor_inset_m, pivot=pivot, anchor=anchor,
+        anchor_capacity_n=anchor_capacity_n, anchor_shear_capacity_n=anchor_shear_capacity_n, anchors_per_edge=anchors_per_edge,
         compare=flag("compare", compare), units="si",
     )  # fmt: skip
     text, sheet = _freestand.restrain(asked, study_file(study))
-    result = RestrainResult(json.loads(text), sheet or "")
+    result = RestrainResult(json.loads(text), sheet)
     warn(result.warnings)
     return result
 
@@ -285,7 +294,12 @@ def restrain_list(
     resonance_ratio: float | None = None,
     strength_ratio: float | None = None,
     building_ductility_ratio: float | None = None,
+    component: str | None = None,
     anchor_inset_m: float | None = None,
+    pivot: str | None = None,
+    anchor: str | None = None,
+    anchor_capacity_n: float | None = None,
+    anchor_shear_capacity_n: float | None = None,
     anchors_per_edge: int | None = None,
     **target: Unpack[TargetArguments],
 ) -> RestrainListResult:
@@ -308,8 +322,14 @@ def restrain_list(
         The building: number of storeys and height of a storey [m].
     importance_ratio, amplification_ratio, response_ratio, resonance_ratio, strength_ratio, building_ductility_ratio : float, optional
         Factors of the clause, in place of its usual values: docs/restraint.md.
+    component : str, optional
+        What the objects are whose name is no row of the tables of ASCE 7.
     anchor_inset_m : float, optional
         Distance of the anchors from the edge that they hold down [m].
+    pivot : {"edge", "feet"}, optional
+        The line about which an object tips: the edge of its base, or feet that the anchors fix.
+    anchor, anchor_capacity_n, anchor_shear_capacity_n : optional
+        The name of the anchor that you have chosen, and its design capacities in tension and in shear [N].
     anchors_per_edge : int, optional
         Number of anchors that share the tension.
     **target
@@ -318,7 +338,7 @@ def restrain_list(
     Returns
     -------
     RestrainListResult
-        `table` with a row for each object, `to_confirm`, `problems`.
+        `table` with a row for each object, `to_confirm`, `problems`; `save(path)` writes a sheet to print for each object.
 
     Examples
     --------
@@ -331,14 +351,15 @@ def restrain_list(
         storeys=storeys, storey_height_m=storey_height_m, importance_ratio=importance_ratio,
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
-        anchor_inset_m=anchor_inset_m, anchors_per_edge=anchors_per_edge, units="si",
+        component=component, anchor_inset_m=anchor_inset_m, pivot=pivot, anchor=anchor,
+        anchor_capacity_n=anchor_capacity_n, anchor_shear_capacity_n=anchor_shear_capacity_n, anchors_per_edge=anchors_per_edge, units="si",
     )  # fmt: skip
     with as_file(inventory) as listed:
         if listed.path is None:
             raise bad("there is no inventory", "give a path or a table")
         files = study_file(study) | {"list": (listed.path, None), "columns": (columns, None)}
-        text, _ = _freestand.restrain(asked, files)
-        result = RestrainListResult._of(listed.named(text))
+        text, sheets = _freestand.restrain(asked, files)
+        result = RestrainListResult(json.loads(listed.named(text)), sheets)
     warn(result.warnings)
     return result
 

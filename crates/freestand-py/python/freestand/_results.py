@@ -421,6 +421,13 @@ class RestrainResult(Result):
     anchor_tension_concrete_n: float
     per_anchor: dict[str, Any]
     anchors_per_edge: int
+    pivot: str
+    weight_lever_m: float
+    anchor_lever_m: float
+    anchor: str | None
+    anchor_capacity_n: float | None
+    anchor_shear_capacity_n: float | None
+    demand_capacity_ratio: float | None
     bracket_height_m: float
     bracket_force_n: float
     bracket_base_shear_n: float
@@ -652,6 +659,16 @@ class RestrainListResult(Result):
     to_confirm: list[dict[str, Any]]
     problems: list[str]
     rows: list[dict[str, Any]]
+    sheet: Any
+
+    def __init__(self, document: dict[str, Any], sheets: str) -> None:
+        super().__init__(document)
+        #: A sheet for each object to print and sign (HTML).
+        self.sheets_html = sheets
+
+    def save(self, path: PathLike) -> None:
+        """Writes the sheets (HTML)."""
+        _write(path, self.sheets_html)
 
     @property
     def table(self) -> Table:

@@ -1,6 +1,6 @@
 //! What `freestand restrain` answers for a list: a row for each object.
 
-use freestand_assess::restrain::{HeldForce, HeldItem, HeldList};
+use freestand_assess::restrain::{Case, HeldItem, HeldList};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
@@ -10,12 +10,16 @@ use freestand_output::facts::table;
 use freestand_output::table::Table;
 use freestand_output::{answer, answer_of};
 
-use super::words::{ToConfirm, assumption, clause_words, doubt_words, not_held, to_confirm};
+use super::words::{
+    ToConfirm, assumption, clause_words, doubt_words, not_held, provenance, to_confirm,
+};
 
 /// The forces of all objects of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestrainListReport {
-    held: HeldList,
+    pub(super) held: HeldList,
+    /// Where the sheets were written; whoever writes them says so.
+    pub sheet_path: Option<String>,
     /// What an engineer must confirm, of all objects.
     pub(super) to_confirm: Vec<ToConfirm>,
     /// Warnings.
@@ -25,8 +29,8 @@ pub struct RestrainListReport {
 /// What there is to tell of the forces of a list.
 pub fn restrain_list_report(held: HeldList) -> RestrainListReport {
     let mut unread = Vec::new();
-    for force in forces(&held) {
-        for open in to_confirm(&force.demand) {
+    for case in cases(&held) {
+        for open in to_confirm(&case.own) {
             if !unread.contains(&open) {
                 unread.push(open);
             }
@@ -37,17 +41,20 @@ pub fn restrain_list_report(held: HeldList) -> RestrainListReport {
         warnings: held.warnings.iter().cloned().chain(doubts).collect(),
         to_confirm: unread,
         held,
+        sheet_path: None,
     }
 }
 
-fn forces(held: &HeldList) -> impl Iterator<Item = &HeldForce> {
-    held.objects.iter().flat_map(|one| &one.found)
+fn cases(held: &HeldList) -> impl Iterator<Item = &Case> {
+    held.objects
+        .iter()
+        .flat_map(|one| one.found.iter().map(Box::as_ref))
 }
 
 impl RestrainListReport {
     /// Objects with a force.
     pub(super) fn held(&self) -> usize {
-        forces(&self.held).count()
+        cases(&self.held).count()
     }
 
     /// What was not stated about the hazard, a sentence each.
@@ -61,16 +68,45 @@ impl RestrainListReport {
         console_lines(&self.held.findings)
     }
 
-    /// The rows in words: row, object, force, its share of the weight, tension of an edge, the same in
-    /// concrete; or the reason.
-    pub(super) fn lines(&self) -> impl Iterator<Item = [String; 6]> {
-        let units = self.held.units;
-        self.held.objects.iter().map(move |one| line(one, units))
+    /// Where the hazard was read, how far away and how far it can be trusted.
+    pub(super) fn provenance(&self) -> Option<String> {
+        provenance(self.held.target.as_ref())
     }
 
-    fn rows(&self) -> impl Iterator<Item = ListRow> {
-        let anchors = self.held.anchors_per_edge as f64;
-        self.held.objects.iter().map(move |one| row(one, anchors))
+    /// Whether an anchor was chosen.
+    pub(super) fn has_capacity(&self) -> bool {
+        self.held.anchors.chosen.is_some()
+    }
+
+    /// The headings of [`Self::lines`].
+    pub(super) fn headings(&self) -> Vec<&'static str> {
+        let mut headings = vec![
+            "row",
+            "object",
+            "force",
+            "force/weight",
+            "tension of an edge",
+            "in concrete",
+        ];
+        headings.extend(self.has_capacity().then_some("demand/capacity"));
+        headings
+    }
+
+    /// The rows in words: row, object, force, its share of the weight, tension of an edge, the same in
+    /// concrete, and demand over capacity where an anchor was chosen; or the reason.
+    pub(super) fn lines(&self) -> impl Iterator<Item = Vec<String>> {
+        let (units, columns) = (self.held.units, self.headings().len());
+        let objects = self.held.objects.iter();
+        objects.map(move |one| {
+            let mut line = line(one, units);
+            line.resize(columns, String::new());
+            line
+        })
+    }
+
+    /// The objects as rows.
+    pub(super) fn rows(&self) -> impl Iterator<Item = ListRow> {
+        self.held.objects.iter().map(row)
     }
 
     /// The rows as `restraint.csv`.
@@ -94,6 +130,8 @@ answer_of!(RestrainListReport as report {
     /// What is wrong or doubtful in the list.
     problems: Vec<String> = report.problems();
     rows: Vec<ListRow> = report.rows().collect();
+    /// Where the sheets were written.
+    sheet: Option<String> = report.sheet_path.clone();
 });
 
 answer! {
@@ -103,6 +141,8 @@ answer! {
         item: String,
         row: usize,
         quantity: usize,
+        floor: Option<String>,
+        room: Option<String>,
         level_ratio: Option<f64>,
         /// The row of the table of components of the code.
         component: Option<&'static str>,
@@ -120,6 +160,8 @@ answer! {
         tension_of_each_n: Option<f64>,
         tension_concrete_of_each_n: Option<f64>,
         shear_of_each_n: Option<f64>,
+        /// Of one anchor in concrete: tension over capacity, and that of the shear added.
+        demand_capacity_ratio: Option<f64>,
         bracket_height_m: Option<f64>,
         bracket_force_n: Option<f64>,
         /// Why it has no force.
@@ -127,52 +169,72 @@ answer! {
     }
 }
 
-fn row(one: &HeldItem, anchors_per_edge: f64) -> ListRow {
-    let found = one.found.as_ref().ok();
-    let demand = found.map(|found| &found.demand);
+fn row(one: &HeldItem) -> ListRow {
+    let case = one.found.as_ref().ok();
+    let demand = case.map(|case| &case.own);
     let force = demand.map(|demand| &demand.force);
+    let each = case.map(|case| case.each_anchor());
+    let named = |name: &String| Some(name.clone()).filter(|name| !name.is_empty());
     ListRow {
         id: one.id.clone(),
         item: one.item.clone(),
         row: one.row,
         quantity: one.quantity,
+        floor: named(&one.floor),
+        room: named(&one.room),
         level_ratio: one.level_ratio,
-        component: found.and_then(|found| found.component).map(|row| row.name),
+        component: case.and_then(|case| Some(case.question.object.component?.name)),
         clause: demand.map(clause_words),
         force_n: force.map(|force| force.force_n),
         force_ratio: force.map(|force| force.force_ratio),
-        acts_at_height_m: found.map(|found| found.cg_height_m),
+        acts_at_height_m: case.map(|case| case.question.object.cg_height_m),
         axis: demand.and_then(|demand| Some(demand.axis.as_ref()?.axis.name())),
         anchor_inset_m: demand.map(|demand| demand.inset_m),
         anchor_tension_n: force.map(|force| force.anchor_tension_n),
         anchor_tension_concrete_n: force.map(|force| force.anchor_tension_concrete_n),
-        tension_of_each_n: force.map(|force| force.anchor_tension_n / anchors_per_edge),
-        tension_concrete_of_each_n: force
-            .map(|force| force.anchor_tension_concrete_n / anchors_per_edge),
-        shear_of_each_n: force.map(|force| force.force_n / (2.0 * anchors_per_edge)),
+        tension_of_each_n: each.map(|each| each.tension_n),
+        tension_concrete_of_each_n: each.map(|each| each.tension_concrete_n),
+        shear_of_each_n: each.map(|each| each.shear_n),
+        demand_capacity_ratio: case.and_then(|case| case.demand_capacity_ratio()),
         bracket_height_m: force.map(|force| force.bracket_height_m),
         bracket_force_n: force.map(|force| force.bracket_force_n),
         reason: one.found.as_ref().err().map(not_held),
     }
 }
 
-fn line(one: &HeldItem, units: UnitSystem) -> [String; 6] {
-    let name = if one.item.is_empty() {
+/// The id and the name of an object.
+pub(super) fn name(one: &HeldItem) -> String {
+    if one.item.is_empty() {
         one.id.clone()
     } else {
         format!("{} {}", one.id, one.item)
-    };
-    let [held, share, tension, concrete] = match &one.found {
-        Ok(found) => {
-            let force = &found.demand.force;
-            [
+    }
+}
+
+/// `0.62`, `1.2 (not enough)`.
+fn ratio_words(ratio: f64) -> String {
+    let digits = number(ratio, 3);
+    if ratio > 1.0 {
+        format!("{digits} (not enough)")
+    } else {
+        digits
+    }
+}
+
+fn line(one: &HeldItem, units: UnitSystem) -> Vec<String> {
+    let mut line = vec![one.row.to_string(), name(one)];
+    match &one.found {
+        Ok(case) => {
+            let force = &case.own.force;
+            line.extend([
                 units.force(force.force_n),
                 number(force.force_ratio, 3),
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
-            ]
+            ]);
+            line.extend(case.demand_capacity_ratio().map(ratio_words));
         }
-        Err(why) => [not_held(why), String::new(), String::new(), String::new()],
-    };
-    [one.row.to_string(), name, held, share, tension, concrete]
+        Err(why) => line.push(not_held(why)),
+    }
+    line
 }

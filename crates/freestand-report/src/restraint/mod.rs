@@ -6,11 +6,13 @@ mod sheet;
 mod sketch;
 mod text;
 mod words;
+mod workbook;
 
 pub use list::{RestrainListReport, restrain_list_report};
 pub use report::{RestrainReport, restrain_report};
-pub use sheet::restraint_sheet;
+pub use sheet::{restraint_sheet, restraint_sheets};
 pub use text::{restraint_text, restraints_text};
+pub use workbook::restraint_workbook;
 
 #[cfg(test)]
 mod tests;

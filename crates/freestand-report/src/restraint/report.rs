@@ -1,6 +1,6 @@
 //! What `freestand restrain` answers for one object: its document, and the answer in one sentence.
 
-use freestand_assess::restrain::Case;
+use freestand_assess::restrain::{Anchor, Case, Pivot};
 use freestand_assess::restraint::Demand;
 use freestand_assess::restraint::factor::Factor;
 use freestand_input::words::number;
@@ -10,8 +10,8 @@ use freestand_study::places::Place;
 use freestand_study::target::Target;
 
 use super::words::{
-    ToConfirm, assumptions, clause_words, doubt_words, floor_words, limits_words, tension_words,
-    to_confirm,
+    ToConfirm, assumptions, capacity_words, clause_words, doubt_words, floor_words, limits_words,
+    provenance, tension_words, to_confirm, utilisation_words,
 };
 
 /// The force, moments and anchors of one object.
@@ -66,19 +66,18 @@ pub(super) fn answer(case: &Case) -> String {
 /// The words about each anchor.
 fn anchor_words(case: &Case) -> String {
     let (force, units) = (&case.own.force, case.request.units);
-    let [tension_n, concrete_n] = [force.anchor_tension_n, force.anchor_tension_concrete_n]
-        .map(|edge_n| case.anchor_n(edge_n));
-    let pull = if tension_n > 0.0 || concrete_n > 0.0 {
+    let each = case.each_anchor();
+    let pull = if force.anchor_tension_n > 0.0 || force.anchor_tension_concrete_n > 0.0 {
         format!(
             "{} of tension, in concrete {}; ",
-            units.force(tension_n),
-            units.force(concrete_n)
+            units.force(each.tension_n),
+            units.force(each.tension_concrete_n)
         )
     } else {
         String::new()
     };
-    let shear = units.force(case.anchor_shear_n());
-    let anchors = case.request.anchors_per_edge;
+    let shear = units.force(each.shear_n);
+    let anchors = case.request.anchors.per_edge;
     format!("{pull}{shear} of shear ({anchors} along each of two edges)")
 }
 
@@ -106,6 +105,17 @@ fn formula_words(case: &Case) -> String {
     format!("{} = {ratio} W", source.numbers)
 }
 
+fn chosen(case: &Case) -> Option<&Anchor> {
+    case.request.anchors.chosen.as_ref()
+}
+
+fn pivot(case: &Case) -> &'static str {
+    match case.question.pivot {
+        Pivot::Edge => "edge",
+        Pivot::Feet => "feet",
+    }
+}
+
 fn axis(case: &Case) -> Option<&'static str> {
     case.own.axis.as_ref().map(|axis| axis.axis.name())
 }
@@ -115,6 +125,7 @@ answer_of!(RestrainReport as report {
     clause: &'static str = report.case.own.source.clause;
     __: String = clause_words(&report.case.own) => "clause";
     __: Option<String> = report.case.target.as_ref().map(Target::parts_words) => "hazard";
+    __: Option<String> = provenance(report.case.target.as_ref()) => "from";
     __: Option<String> = Some(floor_words(&report.case.floor)).filter(|floor| !floor.is_empty()) => "floor";
     __: String = report.case.own.source.equation.clone() => "formula";
     __: String = format!("= {}", formula_words(&report.case)) => " ";
@@ -140,7 +151,23 @@ answer_of!(RestrainReport as report {
     __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_concrete_n) => "the same in concrete";
     per_anchor: OfAnchor<'_> = OfAnchor(&report.case);
     __: String = anchor_words(&report.case) => "each anchor";
-    anchors_per_edge: usize = report.case.request.anchors_per_edge;
+    anchors_per_edge: usize = report.case.request.anchors.per_edge;
+    /// The line about which it tips: `edge`, `feet`.
+    pivot: &'static str = pivot(&report.case);
+    /// Lever of the weight about that line.
+    weight_lever_m: f64 = report.case.own.weight_lever_m;
+    /// Lever of the anchors along one edge about that line.
+    anchor_lever_m: f64 = report.case.own.anchor_lever_m;
+    /// The name of the anchor that was chosen.
+    anchor: Option<String> = chosen(&report.case).and_then(|anchor| anchor.name.clone());
+    /// Its design capacity in tension.
+    anchor_capacity_n: Option<f64> = chosen(&report.case).map(|anchor| anchor.tension_n);
+    /// Its design capacity in shear.
+    anchor_shear_capacity_n: Option<f64> = chosen(&report.case).and_then(|anchor| anchor.shear_n);
+    __: Option<String> = chosen(&report.case).map(|anchor| capacity_words(anchor, report.case.request.units)) => "design capacity of one";
+    /// Of one anchor in concrete: tension over capacity, and that of the shear added.
+    demand_capacity_ratio: Option<f64> = report.case.demand_capacity_ratio();
+    __: Option<String> = utilisation_words(&report.case) => "demand over capacity";
     bracket_height_m: f64 = report.case.own.force.bracket_height_m;
     bracket_force_n: f64 = report.case.own.force.bracket_force_n;
     /// At the feet, beside the bracket.
@@ -170,9 +197,10 @@ answer_of!(RestrainReport as report {
 struct OfAnchor<'r>(&'r Case);
 
 answer_of!(OfAnchor<'_> as one {
-    tension_n: f64 = one.0.anchor_n(one.0.own.force.anchor_tension_n);
-    tension_concrete_n: f64 = one.0.anchor_n(one.0.own.force.anchor_tension_concrete_n);
-    shear_n: f64 = one.0.anchor_shear_n();
+    tension_n: f64 = one.0.each_anchor().tension_n;
+    tension_concrete_n: f64 = one.0.each_anchor().tension_concrete_n;
+    shear_n: f64 = one.0.each_anchor().shear_n;
+    shear_concrete_n: f64 = one.0.each_anchor().shear_concrete_n;
 });
 
 /// The same by another code.

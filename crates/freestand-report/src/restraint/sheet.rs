@@ -1,19 +1,23 @@
-//! `restraint.html`: one sheet to print.
+//! `restraint.html`: a sheet to print for each object.
 
+use freestand_input::keys::KeyStyle;
 use freestand_input::words::number;
 use freestand_output::html::{
-    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, properties,
-    words,
+    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, paragraph,
+    properties, words,
 };
 
+use super::list::{RestrainListReport, name};
 use super::report::RestrainReport;
 use super::sketch::sketch;
 use super::words::{
-    NO_TENSION, ToConfirm, assumptions, clause_words, factor_words, floor_words, limits_words,
-    tension_words, to_confirm,
+    DESIGN_CAPACITY, NO_TENSION, ToConfirm, assumptions, capacity_words, clause_words,
+    factor_words, floor_words, limits_words, provenance, tension_formula, tension_words,
+    to_confirm, utilisation_words,
 };
-use freestand_assess::restrain::{Case, Doubt};
+use freestand_assess::restrain::{Case, Doubt, HeldItem};
 use freestand_assess::restraint::Demand;
+use freestand_study::target::Target;
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -27,7 +31,10 @@ const CSS: &str = "\
 .confirm h2 { margin-top: .4rem; }
 .blanks td:nth-child(3), .blanks td:nth-child(4) { min-width: 7rem; border-bottom: 1px solid #1a1a1a; }
 sub { font-size: .72em; line-height: 0; }
+.object { border-top: 2px solid #1a1a1a; margin-top: 2rem; }
 @media print {
+  .object { break-before: page; border-top: none; margin-top: 0; }
+  .object > h2 { font-size: 15pt; margin: 0; border: none; padding: 0; }
   h1 { font-size: 15pt; }
   .sub { margin-bottom: .5rem; }
   .sheet { flex-wrap: nowrap; gap: .9rem; }
@@ -41,11 +48,105 @@ sub { font-size: .72em; line-height: 0; }
 }
 ";
 
-/// `restraint.html`.
+/// `restraint.html` of one object.
 pub fn restraint_sheet(report: &RestrainReport) -> String {
     let case = &report.case;
-    let (own, force) = (&case.own, &case.own.force);
-    let units = case.request.units;
+    let html = opening(
+        "Restraint of an object",
+        &subtitle(case),
+        &format!("{ONE_PAGE_CSS}{CSS}"),
+    );
+    html + &sheet(case, "") + CLOSING
+}
+
+/// `restraint.html` of a list: a table of all objects, and a sheet for each that has a force.
+pub fn restraint_sheets(report: &RestrainListReport) -> String {
+    let held = &report.held;
+    let hazard = held
+        .target
+        .as_ref()
+        .map_or_else(String::new, Target::parts_words);
+    let mut html = opening(
+        "Restraints of a list",
+        &hazard,
+        &format!("{ONE_PAGE_CSS}{CSS}"),
+    );
+    let said = format!(
+        "{} of {} objects have a force; a sheet for each follows.",
+        report.held(),
+        held.objects.len()
+    );
+    html.push_str(&paragraph(&said));
+    let heading_of = |(i, heading): (usize, &'static str)| match i {
+        0 | 1 => words(heading),
+        _ => figure(heading),
+    };
+    let headings = report.headings().into_iter().enumerate();
+    let rows: Vec<Vec<Cell>> = report
+        .lines()
+        .zip(&held.objects)
+        .map(|(line, one)| cells(line, one))
+        .collect();
+    html.push_str(&html::table(
+        "",
+        &[headings.map(heading_of).collect()],
+        &rows,
+    ));
+    let source = report
+        .provenance()
+        .map(|source| format!("Hazard: {source}."));
+    let mut notes: Vec<String> = source.into_iter().chain(report.assumptions()).collect();
+    notes.extend(report.warnings.iter().map(|warning| sentence(warning)));
+    notes.extend(
+        report
+            .problems()
+            .into_iter()
+            .map(|problem| format!("In the list: {problem}")),
+    );
+    html.push_str(&heading("Assumed, and to be known"));
+    html.push_str(&bullets(&notes));
+    for one in &held.objects {
+        let Ok(case) = &one.found else {
+            continue;
+        };
+        let many = (one.quantity > 1).then(|| format!("{} of them", one.quantity));
+        let names = [&one.floor, &one.room].map(|name| Some(name.clone()));
+        let mut about = vec![format!("Row {} of the list", one.row)];
+        about.extend(
+            many.into_iter()
+                .chain(names.into_iter().flatten())
+                .filter(|text| !text.is_empty()),
+        );
+        let below = format!("{}. {}", about.join(", "), subtitle(case));
+        html.push_str(&format!(
+            "<section class=\"object\">\n<h2>{}</h2>\n<p class=\"sub\">{}</p>\n{}</section>\n",
+            escape(&name(one)),
+            escape(&below),
+            sheet(case, &one.id)
+        ));
+    }
+    html + CLOSING
+}
+
+/// A line of the table of all objects; a reason takes the place of the numbers.
+fn cells(line: Vec<String>, one: &HeldItem) -> Vec<Cell> {
+    let columns = line.len();
+    let mut cells: Vec<Cell> = Vec::with_capacity(columns);
+    for (i, text) in line.iter().enumerate() {
+        match (i, one.found.is_err()) {
+            (0 | 1, _) => cells.push(words(text)),
+            (2, true) => {
+                cells.push(words(text).over(columns - 2));
+                break;
+            }
+            _ => cells.push(figure(text)),
+        }
+    }
+    cells
+}
+
+/// The clause, the hazard and the floor.
+fn subtitle(case: &Case) -> String {
     let hazard = case
         .target
         .as_ref()
@@ -54,17 +155,21 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
         floor if floor.is_empty() => floor,
         floor => format!("Floor: {floor}."),
     };
-    let subtitle = format!("{}: {hazard}{floor}", clause_words(own));
-    let mut html = opening(
-        "Restraint of an object",
-        subtitle.trim_end(),
-        &format!("{ONE_PAGE_CSS}{CSS}"),
-    );
-    html.push_str("<div class=\"sheet\">\n<div>\n");
+    format!("{}: {hazard}{floor}", clause_words(&case.own))
+        .trim_end()
+        .to_owned()
+}
+
+/// The sheet of one object below its title.
+fn sheet(case: &Case, id: &str) -> String {
+    let (own, force) = (&case.own, &case.own.force);
+    let units = case.request.units;
+    let mut html = String::from("<div class=\"sheet\">\n<div>\n");
     html.push_str(&sketch(case));
     html.push_str("</div>\n<div>\n");
     html.push_str(&object_and_results(case));
     html.push_str("</div>\n</div>\n");
+    html.push_str("<div class=\"sheet\">\n<div>\n");
     html.push_str(&heading("The force"));
     let ratio = number(own.source.force.formula_ratio, 4);
     html.push_str(&format!(
@@ -89,8 +194,10 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
         &[vec![words("factor"), words("value"), words("who says so")]],
         &rows,
     ));
+    html.push_str("</div>\n<div>\n");
     html.push_str(&heading("The anchors"));
     html.push_str(&anchors(case));
+    html.push_str("</div>\n</div>\n");
     if !case.others.is_empty() {
         html.push_str(&heading("For comparison, on the same spectrum"));
         let mut titles = vec![words("clause")];
@@ -118,12 +225,16 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
     }
     html.push_str(&confirmations(case));
     html.push_str(&heading("Assumed"));
+    let source = provenance(case.target.as_ref()).map(|source| format!("Hazard: {source}."));
     let doubt = case
         .target
         .as_ref()
         .and_then(|target| target.place.as_ref())
         .and_then(|place| place.doubt());
-    let mut notes: Vec<String> = doubt.map(|doubt| sentence(&doubt)).into_iter().collect();
+    let mut notes: Vec<String> = source
+        .into_iter()
+        .chain(doubt.map(|doubt| sentence(&doubt)))
+        .collect();
     notes.extend(assumptions(case));
     let lifts_nothing = case.doubts.contains(&Doubt::NoTension);
     notes.extend(lifts_nothing.then(|| NO_TENSION.to_owned()));
@@ -133,11 +244,17 @@ pub fn restraint_sheet(report: &RestrainReport) -> String {
          need a design of their own, and so does the part of the object that is held."
             .to_owned(),
     );
-    html.push_str(&list(&notes));
-    html.push_str(
-        "<div class=\"sign\"><span>Object or asset no.</span><span>Name</span><span>Date and signature</span></div>\n",
-    );
-    html + CLOSING
+    html.push_str(&bullets(&notes));
+    let asset = if id.is_empty() {
+        "Object or asset no."
+    } else {
+        id
+    };
+    html.push_str(&format!(
+        "<div class=\"sign\"><span>{}</span><span>Name</span><span>Date and signature</span></div>\n",
+        escape(asset)
+    ));
+    html
 }
 
 /// The box of what nobody has read in the code: an engineer writes the value of the edition beside it.
@@ -167,6 +284,12 @@ fn confirmations(case: &Case) -> String {
         "<section class=\"confirm\">\n{}{table}</section>\n",
         heading("To be confirmed by the engineer")
     )
+}
+
+/// A list of sentences, in which keys are the flags of the command.
+fn bullets(notes: &[String]) -> String {
+    let shown = notes.iter().map(|note| KeyStyle::Flag.shown(note));
+    list(&shown.collect::<Vec<_>>())
 }
 
 /// A warning as a sentence.
@@ -238,7 +361,7 @@ fn object_and_results(case: &Case) -> String {
 fn anchors(case: &Case) -> String {
     let units = case.request.units;
     let force = &case.own.force;
-    let count = case.request.anchors_per_edge;
+    let count = case.request.anchors.per_edge;
     let mut titles = vec![words("")];
     titles.extend(["tension", "tension in concrete", "shear"].map(figure));
     let row = |name: &str, forces: [f64; 3]| {
@@ -246,12 +369,16 @@ fn anchors(case: &Case) -> String {
         row.extend(forces.map(|force_n| figure(units.force_in_both(force_n))));
         row
     };
-    let edge = [force.anchor_tension_n, force.anchor_tension_concrete_n];
-    let all = [edge[0], edge[1], case.anchor_shear_n() * count as f64];
+    let of_each = case.each_anchor();
+    let all = [
+        force.anchor_tension_n,
+        force.anchor_tension_concrete_n,
+        of_each.shear_n * count as f64,
+    ];
     let each = [
-        case.anchor_n(edge[0]),
-        case.anchor_n(edge[1]),
-        case.anchor_shear_n(),
+        of_each.tension_n,
+        of_each.tension_concrete_n,
+        of_each.shear_n,
     ];
     let table = html::table(
         "",
@@ -270,9 +397,21 @@ fn anchors(case: &Case) -> String {
     } else {
         ", assumed"
     };
+    let chosen = case.request.anchors.chosen.as_ref().map(|anchor| {
+        let ratio = utilisation_words(case).unwrap_or_default();
+        let rows = [
+            (
+                "Design capacity of one anchor",
+                capacity_words(anchor, units),
+            ),
+            ("Demand over capacity", ratio),
+        ];
+        properties("", &rows) + &paragraph(DESIGN_CAPACITY)
+    });
     let tension = format!(
-        "T = (F c − H e)/(B − a), at least 0, with c = {}, e = {}, B = {} (the {}), a = {} (the distance of the anchors \
+        "{}, at least 0, with c = {}, e = {}, B = {} (the {}), a = {} (the distance of the anchors \
          from the edge that they hold down{stated}) and H = {} W, the weight that holds it down{}. In concrete, Ω_0 F takes the place of F, with Ω_0 = {}.",
+        tension_formula(case.question.pivot),
         length(case.question.object.cg_height_m),
         length(axis.least_lever_m()),
         length(axis.base_m),
@@ -282,7 +421,11 @@ fn anchors(case: &Case) -> String {
         case.own.source.deduction_words(),
         number(force.overstrength_ratio, 4)
     );
-    format!("{table}<p>{}</p>\n", symbols(&tension))
+    format!(
+        "{table}{}<p>{}</p>\n",
+        chosen.unwrap_or_default(),
+        symbols(&tension)
+    )
 }
 
 /// A text with its symbols as in print: `a_p` has an index.

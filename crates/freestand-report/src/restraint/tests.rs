@@ -1,12 +1,22 @@
+use calamine::{Data, DataType as _, Reader as _, Xlsx};
 use freestand_assess::restrain::{
-    Assumed, Doubt, NotHeld, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest,
-    StandsOn, restrain,
+    Anchor, Anchors, Assumed, Doubt, Missing, NotHeld, Pivot, RestrainFactors, RestrainFloor,
+    RestrainHazard, RestrainListRequest, RestrainRequest, StandsOn, restrain, restrain_list,
 };
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
+use freestand_inventory::CellsRequest;
 
 use super::words::{assumption, doubt_words, floor_words, not_held};
 use super::*;
+
+/// Anchors at the edges.
+fn at_edges() -> Anchors {
+    Anchors {
+        inset_m: Some(0.0),
+        ..Anchors::default()
+    }
+}
 
 /// The paper's cabinet, 2.3 m × 0.6 m × 0.9 m, 140 kg.
 fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest {
@@ -23,9 +33,8 @@ fn cabinet(hazard: RestrainHazard, level_ratio: Option<f64>) -> RestrainRequest 
         },
         factors: RestrainFactors::default(),
         component: Some("cabinet".to_owned()),
-        anchor_inset_m: Some(0.0),
+        anchors: at_edges(),
         units: UnitSystem::Si,
-        anchors_per_edge: 2,
         is_compared: false,
     }
 }
@@ -109,6 +118,73 @@ fn the_text_of_one_object() {
     }));
 }
 
+/// A list of two objects, of which one has no mass: the table has both, and the one has a sheet with the source
+/// of the hazard. The same objects are in the workbook, whose bytes are the same twice.
+#[test]
+fn a_sheet_for_each_object_of_a_list() {
+    let name = format!("freestand-restraints-{}.csv", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    let csv = "id,item,floor,height [mm],depth [mm],mass [kg],qty\n=a,cabinet <1>,2,1800,600,360,3\nb,fridge,2,1700,600,,1\n";
+    std::fs::write(&path, csv).unwrap();
+    let anchors = Anchors {
+        pivot: Pivot::Feet,
+        chosen: Some(Anchor {
+            name: Some("M10 & co".to_owned()),
+            tension_n: 100.0,
+            shear_n: None,
+        }),
+        ..Anchors::default()
+    };
+    let request = RestrainListRequest {
+        list: path.clone(),
+        cells: CellsRequest::default(),
+        hazard: code(&[("place", "Istanbul")]),
+        floor: RestrainFloor {
+            storeys: Some(5),
+            ..RestrainFloor::default()
+        },
+        factors: RestrainFactors::default(),
+        component: None,
+        anchors,
+        units: Some(UnitSystem::Us),
+    };
+    let held = restrain_list(&request);
+    std::fs::remove_file(path).unwrap();
+    let report = restrain_list_report(held.unwrap());
+    let html = restraint_sheets(&report);
+    assert_eq!(html.matches("class=\"object\"").count(), 1);
+    for part in [
+        "=a cabinet &lt;1&gt;",
+        "its mass is not known",
+        "Row 2 of the list, 3 of them, 2.",
+        "read, interpolated",
+        "(B − 2a)",
+        "M10 &amp; co",
+        "(not enough)",
+        "793.7 lb",
+        "F<sub>ie</sub>",
+        "class=\"confirm\"",
+    ] {
+        assert!(html.contains(part), "{part}");
+    }
+    let workbook = restraint_workbook(&report).unwrap();
+    assert_eq!(workbook, restraint_workbook(&report).unwrap());
+    let mut read = Xlsx::new(std::io::Cursor::new(workbook)).unwrap();
+    let sheet = read.worksheet_range("Restraints").unwrap();
+    let cell = |row, column| sheet.get((row, column)).unwrap().clone();
+    assert_eq!(cell(0, 8), Data::String("force [lbf]".to_owned()));
+    assert_eq!(cell(1, 1), Data::String("=a".to_owned()));
+    assert_eq!(
+        cell(2, 21),
+        Data::String("its mass is not known".to_owned())
+    );
+    // Istanbul, ZD (F_S 1.1004): S_DS = 1.0993 g, 0.4 · 1.0993 · (1 + 2 · 0.4)/2.5 = 0.3166 W, below 0.3 S_DS = 0.32979 W;
+    // 360 kg = 793.664 lb. Tolerance: the digits written here.
+    let force = cell(1, 8).get_float().unwrap();
+    assert!((force - 0.329_79 * 793.664_1).abs() < 0.01, "{force}");
+    insta::assert_snapshot!(restraints_text(&report));
+}
+
 #[test]
 fn every_sentence() {
     let mut all: Vec<String> = [
@@ -131,6 +207,7 @@ fn every_sentence() {
         Assumed::CgHeight,
         Assumed::NoWidth,
         Assumed::Inset(0.075),
+        Assumed::Insets(0.075),
     ];
     all.extend(
         assumed
@@ -148,8 +225,8 @@ fn every_sentence() {
         NotHeld::Anchored,
         NotHeld::Unconfirmed(vec!["mass".to_owned(), "height".to_owned()]),
         NotHeld::Stacked,
-        NotHeld::Unknown(vec!["mass"]),
-        NotHeld::Unknown(vec!["mass", "height", "floor"]),
+        NotHeld::Unknown(vec![Missing::Mass]),
+        NotHeld::Unknown(vec![Missing::Mass, Missing::Height, Missing::Floor]),
         NotHeld::Refused(Problems::from(refused)),
     ];
     all.extend(why.iter().map(not_held));

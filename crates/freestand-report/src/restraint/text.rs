@@ -7,33 +7,38 @@ use freestand_output::answer::Answer as _;
 
 use super::list::RestrainListReport;
 use super::report::{RestrainReport, answer};
-use super::words::{ToConfirm, assumptions, clause_words, factor_words, to_confirm};
+use super::words::{
+    DESIGN_CAPACITY, ToConfirm, assumptions, clause_words, factor_words, to_confirm,
+};
 use crate::table::{lines, table};
 
 /// The forces on the restraints of a list.
 pub fn restraints_text(report: &RestrainListReport) -> String {
-    let headings = [
-        "row",
-        "object",
-        "force",
-        "force/weight",
-        "tension of an edge",
-        "in concrete",
-    ];
-    let cells = |row: [String; 6]| row.map(|cell| KeyStyle::Flag.shown(&cell)).to_vec();
+    let cells = |row: Vec<String>| -> Vec<String> {
+        row.iter().map(|cell| KeyStyle::Flag.shown(cell)).collect()
+    };
     let rows: Vec<Vec<String>> = report.lines().map(cells).collect();
-    let mut text = table(&headings, &rows);
+    let mut text = table(&report.headings(), &rows);
     text.push_str(&format!(
         "\n{} of {} objects have a force\n",
         report.held(),
         rows.len()
     ));
+    if let Some(source) = report.provenance() {
+        text.push_str(&format!("the hazard is from {source}\n"));
+    }
+    if report.has_capacity() {
+        text.push_str(&format!("\n{DESIGN_CAPACITY}\n"));
+    }
     text.push_str(&open_text(&report.to_confirm, &report.assumptions()));
     for problem in report.problems() {
         text.push_str(&format!(
             "in the list: {}\n",
             KeyStyle::Flag.shown(&problem)
         ));
+    }
+    if let Some(path) = &report.sheet_path {
+        text.push_str(&format!("\nto print: {path}\n"));
     }
     text
 }
@@ -96,6 +101,9 @@ pub fn restraint_text(report: &RestrainReport) -> String {
         let rows: Vec<Vec<String>> = case.others.iter().map(other).collect();
         text.push('\n');
         text.push_str(&table(&headings, &rows));
+    }
+    if case.request.anchors.chosen.is_some() {
+        text.push_str(&format!("\n{DESIGN_CAPACITY}\n"));
     }
     text.push_str(&open_text(&to_confirm(&case.own), &assumptions(case)));
     if let Some(path) = &report.sheet_path {

@@ -4,10 +4,11 @@ use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, listed, number};
 
-use freestand_assess::restrain::{Assumed, Case, Doubt, NotHeld, StandsOn};
+use freestand_assess::restrain::{Anchor, Assumed, Case, Doubt, NotHeld, Pivot, StandsOn};
 use freestand_assess::restraint::Demand;
 use freestand_assess::restraint::factor::{Factor, FactorSource};
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
+use freestand_study::target::Target;
 
 /// Where an object stands: its floor, its height over that of the building; empty where the given
 /// acceleration is that of its floor.
@@ -42,7 +43,10 @@ pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64)
     match assumed {
         Assumed::Ground => "No floor was given: the object is on the ground.".to_owned(),
         Assumed::StoreyHeight => {
-            format!("A storey is {} m high.", number(DEFAULT_STOREY_HEIGHT_M, 3))
+            format!(
+                "A storey is {} high.",
+                units.storey(DEFAULT_STOREY_HEIGHT_M)
+            )
         }
         Assumed::Site(site) => format!("The site was not given: class {site}."),
         Assumed::ReturnPeriod(years) => format!("The return period was not given: {years} years."),
@@ -53,6 +57,11 @@ pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64)
         Assumed::NoWidth => {
             "No width was given: only tipping across the thickness is checked.".to_owned()
         }
+        Assumed::Insets(inset_m) => format!(
+            "The anchors of each object stand {} inside the edge that they hold down, or a quarter of the side where that is \
+             less: measure them, and give `anchor_inset`.",
+            units.length(*inset_m)
+        ),
         Assumed::Inset(inset_m) => format!(
             "The anchors stand {} inside the edge that they hold down: measure it, and give `anchor_inset`.",
             units.length(*inset_m)
@@ -73,7 +82,7 @@ pub(super) fn doubt_words(doubt: &Doubt) -> String {
             "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"
         ),
         Doubt::ComponentUnused(by) => {
-            format!("`component` is not used by {by}: its tables are those of ASCE 7")
+            format!("`component` is not used by {by}: its factors are the same for every object")
         }
         Doubt::NoTension => NO_TENSION.to_owned(),
     }
@@ -87,9 +96,10 @@ pub(super) fn not_held(why: &NotHeld) -> String {
             format!("its size or mass must be confirmed: {}", columns.join(", "))
         }
         NotHeld::Stacked => "another body stands on it, which is not counted".to_owned(),
-        NotHeld::Unknown(names) => {
+        NotHeld::Unknown(missing) => {
+            let names: Vec<&str> = missing.iter().map(|one| one.name()).collect();
             let verb = if names.len() == 1 { "is" } else { "are" };
-            format!("its {} {verb} not known", listed(names))
+            format!("its {} {verb} not known", listed(&names))
         }
         NotHeld::Refused(problems) => {
             let messages: Vec<&str> = problems
@@ -100,6 +110,52 @@ pub(super) fn not_held(why: &NotHeld) -> String {
             messages.join("; ")
         }
     }
+}
+
+/// The formula of the tension in symbols.
+pub(super) fn tension_formula(pivot: Pivot) -> &'static str {
+    match pivot {
+        Pivot::Edge => "T = (F c − H e)/(B − a)",
+        Pivot::Feet => "T = (F c − H (e − a))/(B − 2a)",
+    }
+}
+
+/// What a ratio of demand to capacity means, and what it does not.
+pub(super) const DESIGN_CAPACITY: &str = "The capacity that was entered is taken as the design capacity of one anchor. It is not \
+                               the median strength, which is far higher: do not use one for the other.";
+
+/// `M10 bolt: 6.2 kN in tension, 5 kN in shear`.
+pub(super) fn capacity_words(anchor: &Anchor, units: UnitSystem) -> String {
+    let name = anchor
+        .name
+        .as_ref()
+        .map_or_else(String::new, |name| format!("{name}: "));
+    let shear = anchor.shear_n.map_or_else(String::new, |shear_n| {
+        format!(", {} in shear", units.force(shear_n))
+    });
+    format!("{name}{} in tension{shear}", units.force(anchor.tension_n))
+}
+
+/// `0.62 of it`, or that it is exceeded; where no shear capacity is known, that of the tension alone.
+pub(super) fn utilisation_words(case: &Case) -> Option<String> {
+    let anchor = case.request.anchors.chosen.as_ref()?;
+    let ratio = case.demand_capacity_ratio()?;
+    let verdict = if ratio > 1.0 {
+        "not enough"
+    } else {
+        "enough by this sum"
+    };
+    let of = if anchor.shear_n.is_some() {
+        "tension and shear in concrete"
+    } else {
+        "tension in concrete alone, the shear was not compared"
+    };
+    Some(format!("{} ({of}): {verdict}", number(ratio, 3)))
+}
+
+/// Where the hazard of a place was read, how far away and how far it can be trusted.
+pub(super) fn provenance(target: Option<&Target>) -> Option<String> {
+    Some(target?.place.as_ref()?.provenance())
 }
 
 /// The tension along one edge.

@@ -78,7 +78,7 @@ impl Code {
 
     /// Whether the program has its clauses for parts.
     pub(super) fn has_parts(self) -> bool {
-        !matches!(self, Self::Tbdy2018 | Self::Ts1170_5 | Self::Table)
+        self != Self::Table
     }
 
     /// The keys that it takes, in addition to `code`.

@@ -45,18 +45,6 @@ impl Target {
             let known = codes.filter(|code| code.has_parts());
             return Err(words::unknown_code(text, known).into());
         }
-        if let Some(code) = words::code_of(words)
-            && !code.has_parts()
-            && code != Code::Table
-        {
-            let message = format!(
-                "the clauses of {} for parts are not in the program",
-                code.title()
-            );
-            let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
-            let key = named_place(words).map_or("code", |(key, _)| key);
-            return Err(Problem::value(message, hint).of(&[key]).into());
-        }
         if let (None, Some((key, text))) = (code, named_place(words))
             && let Ok(place) = Place::look_up(&text, None)
             && let PlaceHazard::Shape { by, .. } = place.hazard
@@ -105,7 +93,7 @@ impl Target {
                 words.set("long_period", DEFAULT_LONG_PERIOD_WORDS);
             }
         }
-        match words::resolve(&words, "".as_ref(), Remedies::Codes) {
+        match words::resolve(&words, "".as_ref(), Remedies::Parts) {
             // The clauses use no long periods.
             Ok(target) => Ok(Self {
                 period_warnings: Vec::new(),
@@ -235,10 +223,6 @@ mod tests {
                 "has values for NZS 1170.5, not for ASCE 7",
             ),
             (
-                &[("place", "Istanbul")],
-                "the clauses of TBDY 2018 for parts are not in the program",
-            ),
-            (
                 &[("place", "Quito")],
                 "the clauses of NEC-SE-DS 2015 for parts are not in the program",
             ),
@@ -253,11 +237,32 @@ mod tests {
         }
     }
 
+    /// A table of values is no hazard for parts, so no hint offers one.
+    #[test]
+    fn no_hint_offers_a_table() {
+        for words in [
+            &[("place", "Wellinton")][..],
+            &[("place", "Wellington"), ("interpolation", "linear")],
+        ] {
+            let words = words.iter().copied().collect();
+            let problems = Target::for_parts(&words).unwrap_err().problems;
+            let hints: Vec<&str> = problems
+                .iter()
+                .filter_map(|one| one.hint.as_deref())
+                .collect();
+            assert!(
+                !hints.is_empty() && !hints.concat().contains("table in"),
+                "{hints:?}"
+            );
+            assert!(!hints.concat().contains("`spectrum`"), "{hints:?}");
+        }
+    }
+
     #[test]
     fn only_codes_with_clauses_are_known() {
         let words = [("code", "asce8")].into_iter().collect();
         let problems = Target::for_parts(&words).unwrap_err().problems;
-        let hint = "known: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018";
+        let hint = "known: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5";
         assert_eq!(problems[0].hint.as_deref(), Some(hint));
     }
 }

@@ -16,8 +16,10 @@ use crate::places::{NotFound, Place, places};
 /// What a person may write besides a place, and so what a remedy may name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Remedies {
-    /// A code and its values.
+    /// A code and its values, or a table.
     Codes,
+    /// A code and its values: a table has no clauses for parts.
+    Parts,
     /// Nothing: the place says what the hazard is.
     PlaceAlone,
 }
@@ -78,6 +80,9 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
         Remedies::PlaceAlone => "a study takes a hazard of your own",
         Remedies::Codes => {
             "give the hazard itself, such as `hazard_factor = \"0.08\"`, or a table as `spectrum`"
+        }
+        Remedies::Parts => {
+            "give the hazard itself, such as `code = \"asce7\"` and `sds = \"1 g\"`, or the acceleration of the floor"
         }
     };
     let code = match (reader.words.get("code"), &why) {
@@ -198,6 +203,8 @@ fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies) {
             .collect();
         let hint = if remedies == Remedies::PlaceAlone {
             "leave it out: the code of the place does not have it".to_owned()
+        } else if remedies == Remedies::Parts && takers == ["table"] {
+            "leave it out: the clauses for parts take the values of a code".to_owned()
         } else if code == Code::Table || takers == ["table"] {
             "leave it out; a spectrum is either that of a code or the table in `spectrum`"
                 .to_owned()

@@ -8,6 +8,8 @@
 //! | ASCE 7-22, 13.3.1 | 0.4 S_DS I_p (H_f/R_μ)(C_AR/R_po) | 0.3 S_DS I_p | 1.6 S_DS I_p |
 //! | EN 1998-1 | A α S \[3 (1 + z/H)/(1 + (1 − T_a/T_1)²) − 0.5\] γ_a/q_a | α S γ_a/q_a | |
 //! | NZS 1170.5, section 8 | C(0) C_Hi C_i C_ph R_p | | 3.6 |
+//! | TBDY 2018, chapter 6 | A_ie B_e/R_e | 0.3 S_DS I | |
+//! | TS 1170.5, section 8 | PGA (C_Hi/C_str)(C_i/C_ph) R_p | | |
 //!
 //! a_floor is [`super::parts::floor_acceleration_g`]; A, which is 1 in the code, is an
 //! amplification that the user knows.
@@ -15,8 +17,8 @@
 //! # Sources
 //! No code was at hand. The formulas and limits of ASCE 7-16, ASCE 7-22 and EN 1998-1, and C_Hi of
 //! NZS 1170.5, agree with public programs of other people (among them H. Bhatia's calculator for
-//! ASCE 7-22, chapter 13, and the NZS 1170.5 functions of engineervsheep.com, 2020). AS 1170.4 and
-//! the limit of NZS 1170.5 are quoted from memory: check them in your edition.
+//! ASCE 7-22, chapter 13, and the NZS 1170.5 functions of engineervsheep.com, 2020). AS 1170.4, the
+//! limit of NZS 1170.5, TBDY 2018 and TS 1170.5 are quoted from memory: check them in your edition.
 //!
 //! # Limitation
 //! These are design forces, reduced for ductility where the code allows it, so a calculated floor
@@ -279,6 +281,77 @@ pub fn nzs1170_5_force(floor_acceleration_g: f64, part: &Nzs1170_5Part) -> PartF
     let formula =
         floor_acceleration_g * part.spectral_ratio * part.response_ratio * part.risk_ratio;
     PartForce::within(formula, 0.0, 3.6)
+}
+
+/// A part according to TBDY 2018, chapter 6.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tbdy2018Part {
+    /// Amplification factor B_e: 1 for a rigid part, 2.5 for a flexible one.
+    pub amplification_ratio: f64,
+    /// Response reduction factor R_e.
+    pub response_ratio: f64,
+    /// Importance factor I of the building.
+    pub importance_ratio: f64,
+}
+
+/// Force over weight according to TBDY 2018: A_ie B_e/R_e, at least 0.3 S_DS I; A_ie is the largest
+/// acceleration of the floor \[g\], which the code takes from an analysis of the building.
+///
+/// # Reference
+/// TBDY 2018, 6.2, Eqs. (6.1) and (6.2); recalled, not read.
+///
+/// # Example
+/// A_ie = 1.2 g, B_e = 1, R_e = 2.5: 0.48; with S_DS = 1.8 g the lower limit, 0.54.
+/// ```
+/// use freestand::code_spectrum::part_forces::{Tbdy2018Part, tbdy2018_force};
+/// let cabinet =
+///     Tbdy2018Part { amplification_ratio: 1.0, response_ratio: 2.5, importance_ratio: 1.0 };
+/// assert!((tbdy2018_force(1.2, 1.0, &cabinet).force_ratio - 0.48).abs() < 1e-15);
+/// assert!((tbdy2018_force(1.2, 1.8, &cabinet).force_ratio - 0.54).abs() < 1e-15);
+/// ```
+pub fn tbdy2018_force(floor_acceleration_g: f64, sds_g: f64, part: &Tbdy2018Part) -> PartForce {
+    let formula = floor_acceleration_g * part.amplification_ratio / part.response_ratio;
+    PartForce::within(formula, 0.3 * sds_g * part.importance_ratio, f64::INFINITY)
+}
+
+/// A part according to TS 1170.5:2025, section 8.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ts1170_5Part {
+    /// C_str, the reduction of the floor's acceleration where the building yields; 1 where it does not.
+    pub structure_ratio: f64,
+    /// Part spectral shape factor C_i: 1 for a rigid part.
+    pub spectral_ratio: f64,
+    /// Reduction C_ph for the ductility of the part; 1 for an elastic one.
+    pub response_ratio: f64,
+    /// Part risk factor R_p.
+    pub risk_ratio: f64,
+}
+
+/// Force over weight according to TS 1170.5:2025: PGA (C_Hi/C_str)(C_i/C_ph) R_p.
+///
+/// `height_factor_ratio` is C_Hi. The reserve of the part, which also divides in the code, and its upper
+/// limit are not used: both are on the safe side.
+///
+/// # Reference
+/// TS 1170.5:2025, section 8; recalled, not read.
+///
+/// # Example
+/// ```
+/// use freestand::code_spectrum::part_forces::{Ts1170_5Part, ts1170_5_force};
+/// let rigid = Ts1170_5Part {
+///     structure_ratio: 1.0,
+///     spectral_ratio: 1.0,
+///     response_ratio: 1.0,
+///     risk_ratio: 1.0,
+/// };
+/// assert_eq!(ts1170_5_force(0.5, 3.5, &rigid).force_ratio, 1.75);
+/// let ductile = Ts1170_5Part { spectral_ratio: 4.0, response_ratio: 2.0, ..rigid };
+/// assert_eq!(ts1170_5_force(0.5, 3.5, &ductile).force_ratio, 3.5);
+/// ```
+pub fn ts1170_5_force(pga_g: f64, height_factor_ratio: f64, part: &Ts1170_5Part) -> PartForce {
+    let floor_g = pga_g * height_factor_ratio / part.structure_ratio;
+    let formula = floor_g * part.spectral_ratio / part.response_ratio * part.risk_ratio;
+    PartForce::within(formula, 0.0, f64::INFINITY)
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ use freestand::synthesis::{SynthesisOptions, synthesize};
 use freestand_app::job::{Job, assess_into};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_assess::restrain::{
-    RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain,
+    Anchors, RestrainFactors, RestrainFloor, RestrainHazard, RestrainRequest, restrain,
 };
 use freestand_output::answer::Answer as _;
 use freestand_records::horizontal::HorizontalMotion;
@@ -618,8 +618,7 @@ fn a_list_and_restrain_agree() {
             },
             factors: RestrainFactors::default(),
             component: None,
-            anchor_inset_m: None,
-            anchors_per_edge: 2,
+            anchors: Anchors::default(),
             units: freestand_input::quantity::UnitSystem::default(),
             is_compared: false,
         })

@@ -15,6 +15,8 @@ use freestand_study::study::assessment::Bracket;
 
 use crate::result::RestraintKind;
 
+mod recalled;
+
 use super::RestraintQuestion;
 use super::components::Component;
 use super::factor::{Factor, FactorSource, said};
@@ -23,7 +25,7 @@ use super::factor::{Factor, FactorSource, said};
 /// depends on z/h alone, from 60 m on that of NZS 1170.5, where it is largest.
 const TALL_M: f64 = 60.0;
 
-/// What nobody has read of AS 1170.4 and NZS 1170.5.
+/// What nobody has read of AS 1170.4, NZS 1170.5, TBDY 2018 and TS 1170.5.
 const CLAUSE_RECALLED: &str =
     "the formula of this clause and its limits, which are quoted from memory";
 
@@ -565,7 +567,8 @@ impl<'a> Asked<'a> {
                 "7.2.3",
                 "NTC 2018, 7.2.3",
                 Some(
-                    "F_a = S_a W_a/q_a by NTC 2018, 7.2.3, which leaves S_a open: it is that of EN 1998-1, 4.3.5.2.",
+                    "F_a = S_a W_a/q_a by NTC 2018, 7.2.3, which leaves S_a and q_a to documents of proven \
+                     reliability: they are those of EN 1998-1, 4.3.5.2.",
                 ),
             ),
             _ => return None,
@@ -718,6 +721,8 @@ pub(super) fn codes(question: &RestraintQuestion) -> Vec<Source> {
     [
         asked.europe(spectrum),
         asked.new_zealand(spectrum),
+        asked.turkey(spectrum),
+        asked.new_zealand_ts(spectrum),
         asked.australia(spectrum),
     ]
     .into_iter()

@@ -1,0 +1,87 @@
+//! How an object stands on its anchors, what each of them carries, and what it can carry.
+
+use serde::Deserialize;
+
+use super::Demand;
+
+/// The line about which an object tips that its anchors hold.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Pivot {
+    /// The edge of its base.
+    #[default]
+    Edge,
+    /// Its feet, through which the anchors go: it touches the floor nowhere else.
+    Feet,
+}
+
+impl Pivot {
+    /// Every value with its name and its meaning.
+    pub const ALL: [(Self, &'static str, &'static str); 2] = [
+        (Self::Edge, "edge", "the edge of the base"),
+        (
+            Self::Feet,
+            "feet",
+            "the feet, which are fixed by the anchors",
+        ),
+    ];
+}
+
+/// How an object stands on its anchors.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Footing {
+    /// Distance of the anchors from the edge, inwards; `None`: it is assumed \[m\].
+    pub inset_m: Option<f64>,
+    /// The line about which it tips.
+    pub pivot: Pivot,
+}
+
+/// What each anchor carries.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AnchorForces {
+    /// Tension \[N\].
+    pub tension_n: f64,
+    /// Tension in concrete \[N\].
+    pub tension_concrete_n: f64,
+    /// Shear \[N\].
+    pub shear_n: f64,
+    /// Shear in concrete \[N\].
+    pub shear_concrete_n: f64,
+}
+
+impl Demand {
+    /// Of each of so many anchors along each of two edges: those of one edge share the tension, all of
+    /// them the force.
+    pub fn of_each_anchor(&self, anchors_per_edge: usize) -> AnchorForces {
+        let count = anchors_per_edge as f64;
+        let shear_n = self.force.force_n / (2.0 * count);
+        AnchorForces {
+            tension_n: self.force.anchor_tension_n / count,
+            tension_concrete_n: self.force.anchor_tension_concrete_n / count,
+            shear_n,
+            shear_concrete_n: self.force.overstrength_ratio * shear_n,
+        }
+    }
+}
+
+/// An anchor that the user has chosen.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Anchor {
+    /// Its name.
+    pub name: Option<String>,
+    /// Design capacity in tension \[N\].
+    pub tension_n: f64,
+    /// Design capacity in shear, where it is known \[N\].
+    pub shear_n: Option<f64>,
+}
+
+impl Anchor {
+    /// Demand over capacity: N/N_d, and V/V_d added where V_d is known. The sum is on the safe side of the
+    /// curves by which codes combine both. The demand is that in concrete, which is never the smaller one.
+    pub fn demand_capacity_ratio(&self, demand: &AnchorForces) -> f64 {
+        let shear_ratio = self
+            .shear_n
+            .map_or(0.0, |shear_n| demand.shear_concrete_n / shear_n);
+        demand.tension_concrete_n / self.tension_n + shear_ratio
+    }
+}
