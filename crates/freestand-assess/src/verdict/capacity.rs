@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
+use serde::{Deserialize, Serialize};
 use crate::capacity::Capacity;
 use crate::result::Criterion;
 use freestand_inventory::library::Tolerance;
@@ -22,7 +23,7 @@ pub(super) struct Demand {
 ///
 /// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps
 /// it. The spectrum is that of the pulse that the object withstands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
     pub(super) velocity_change: f64,

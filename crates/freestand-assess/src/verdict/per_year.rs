@@ -139,6 +139,7 @@ impl<'a> Context<'a> {
             worlds: self.worlds.at_intensity(ratio),
             wants_shares: false,
             wants_to_stop: self.wants_to_stop,
+            watch: self.watch,
             histories: Default::default(),
         }
     }

@@ -121,8 +121,8 @@ impl<'a> Asked<'a> {
             .iter()
             .map(|lived| has_event(trial, lived))
             .collect();
+        let accepted = trial.member.accepted_ratio;
         let hits = own.iter().filter(|hit| **hit).count();
-        let (p, accepted) = (share(&own), trial.member.accepted_ratio);
         // With friction a history takes too long for so many changes.
         let slips = trial
             .lived
@@ -131,13 +131,32 @@ impl<'a> Asked<'a> {
         (hits > 0 && !slips).then_some(Self {
             place,
             trial,
-            wants_shares: hits >= FEWEST && worlds - hits >= FEWEST,
-            is_near: p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted,
+            wants_shares: has_both(hits, worlds),
+            is_near: is_near(share(&own), accepted),
             own,
             by_group: Vec::new(),
             measure_first: None,
         })
     }
+}
+
+/// Whether there are enough worlds with the event and without it.
+fn has_both(hits: usize, worlds: usize) -> bool {
+    hits >= FEWEST && worlds - hits >= FEWEST
+}
+
+/// Whether the probability may lie on the other side of the accepted one where one group is known.
+fn is_near(p: f64, accepted: f64) -> bool {
+    p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted
+}
+
+/// In how many further worlds an object is followed that has the event with this probability.
+pub(super) fn changes(p: f64, accepted: f64, worlds: usize) -> usize {
+    let worlds = worlds.min(MAX_WORLDS);
+    let hits = (p * worlds as f64).round() as usize;
+    let of_shares = Cause::ALL.len() * usize::from(has_both(hits, worlds));
+    let at_ends = 2 * MEASURED.len() * usize::from(hits > 0 && is_near(p, accepted));
+    (of_shares + at_ends) * worlds
 }
 
 fn share(events: &[bool]) -> f64 {

@@ -22,6 +22,7 @@ use super::response::{
     pads_demand_capacity,
 };
 use super::slip::slips;
+use super::watch::{ALONE, FLOOR, GROUND, ON_PADS};
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -42,6 +43,9 @@ const HULL_WORLDS: u32 = 80;
 /// alone then makes the difference.
 const SAME_SHAKING_CORRELATION: f64 = 0.75;
 
+/// Histories of objects on pads between two looks whether to stop: a second of two cores.
+const ON_PADS_AT_ONCE: usize = 1024;
+
 /// What is asked of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Question {
@@ -57,7 +61,7 @@ pub(super) struct Trial<'a> {
     pub(super) subject: Subject,
     looks: Vec<u32>,
     pub(super) lived: Vec<Lived>,
-    is_done: bool,
+    pub(super) is_done: bool,
 }
 
 impl<'a> Trial<'a> {
@@ -271,6 +275,26 @@ impl<'a> Trial<'a> {
         question == Question::Falls || self.member.asks_shock && self.subject.capacity.is_some()
     }
 
+    /// The worlds that an earlier run lived through.
+    pub(super) fn resume(&mut self, context: &Context, lived: Vec<Lived>) {
+        self.lived = lived;
+        // Between two looks no interval is read.
+        if self.looks.contains(&self.worlds()) {
+            self.settle(context);
+        }
+    }
+
+    /// Whether more worlds would change nothing.
+    pub(super) fn is_settled(&self) -> bool {
+        self.next().is_none()
+    }
+
+    /// The looks that may follow.
+    pub(super) fn looks_ahead(&self) -> impl Iterator<Item = u32> {
+        let worlds = self.worlds();
+        self.looks.iter().copied().filter(move |look| *look > worlds)
+    }
+
     fn settle(&mut self, context: &Context) {
         let falls = self.side(context, Question::Falls);
         let shock =
@@ -360,8 +384,18 @@ pub(super) fn answer(
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
 }
 
-/// Adds worlds until every trial is settled or has reached its cap.
+/// Adds worlds until every trial is settled or has reached its cap. What was lived stays in the trials
+/// where the run is stopped.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
+    live_telling(context, trials, &|_| ())
+}
+
+/// The same; `tell` is called after each look.
+pub(super) fn live_telling(
+    context: &Context,
+    trials: &mut [Trial],
+    tell: &dyn Fn(&[Trial]),
+) -> Result<(), Problems> {
     loop {
         let next = trials
             .iter()
@@ -372,16 +406,22 @@ pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Proble
             return Ok(());
         }
         for (range, places) in groups {
-            let together: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
-            let more = lived_in(context, range, &together, Change::None)?;
-            for (place, more) in places.into_iter().zip(more) {
-                trials[place].lived.extend(more);
-            }
+            let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
+            let levels = grouped(places.iter().map(level));
+            each_floor(context, range, &levels, Change::None, |on_floor, worlds, floors| {
+                let together: Vec<&Trial> = on_floor.iter().map(|&place| &trials[place]).collect();
+                let more = lived_on_floor(context, worlds, &together, floors, Change::None)?;
+                for (&place, more) in on_floor.iter().zip(more) {
+                    trials[place].lived.extend(more);
+                }
+                Ok(())
+            })?;
         }
         trials
             .par_iter_mut()
             .filter(|trial| !trial.is_done)
             .for_each(|trial| trial.settle(context));
+        tell(trials);
     }
 }
 
@@ -403,6 +443,9 @@ pub(super) fn grouped<K: PartialEq>(
 /// 45 s.
 const MAX_HELD: usize = 1024;
 
+/// Worlds that are lived through together: a run that is stopped loses those that it is in, on one floor.
+const BLOCK: usize = 40;
+
 /// Objects in some worlds, `[object][world]`.
 pub(super) fn lived_in(
     context: &Context,
@@ -410,39 +453,46 @@ pub(super) fn lived_in(
     trials: &[&Trial],
     change: Change,
 ) -> Result<Vec<Vec<Lived>>, Problems> {
-    let levels = grouped(
-        trials
-            .iter()
-            .enumerate()
-            .map(|(place, trial)| (trial.subject.level_ratio.to_bits(), place)),
-    );
-    let levels_ratio: Vec<f64> = levels
-        .iter()
-        .map(|(bits, _)| f64::from_bits(*bits))
-        .collect();
+    let level = |(place, trial): (usize, &&Trial)| (trial.subject.level_ratio.to_bits(), place);
+    let levels = grouped(trials.iter().enumerate().map(level));
     let mut lived: Vec<Vec<Lived>> = trials
         .iter()
         .map(|_| Vec::with_capacity(range.len()))
         .collect();
-    let block = (MAX_HELD / levels.len().max(1)).max(1);
+    each_floor(context, range, &levels, change, |places, worlds, floors| {
+        let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
+        let more = lived_on_floor(context, worlds, &on_floor, floors, change)?;
+        for (&place, more) in places.iter().zip(more) {
+            lived[place].extend(more);
+        }
+        Ok(())
+    })?;
+    Ok(lived)
+}
+
+/// Lives through some worlds block by block, and in each floor by floor, with the places of the objects on
+/// each.
+fn each_floor(
+    context: &Context,
+    range: Range<u32>,
+    levels: &[(u64, Vec<usize>)],
+    change: Change,
+    mut live: impl FnMut(&[usize], Range<u32>, &[Arc<FloorOfWorld>]) -> Result<(), Problems>,
+) -> Result<(), Problems> {
+    let levels_ratio: Vec<f64> = levels
+        .iter()
+        .map(|(bits, _)| f64::from_bits(*bits))
+        .collect();
+    let block = (MAX_HELD / levels.len().max(1)).clamp(1, BLOCK);
     for from in range.clone().step_by(block) {
-        let block = from..range.end.min(from + block as u32);
-        let floors = floors(context, &levels_ratio, block.clone(), change)?;
+        let worlds = from..range.end.min(from + block as u32);
+        let floors = floors(context, &levels_ratio, worlds.clone(), change)?;
         for ((_, places), floors) in levels.iter().zip(floors) {
             context.go_on()?;
-            let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
-            for (&place, more) in places.iter().zip(lived_on_floor(
-                context,
-                block.clone(),
-                &on_floor,
-                &floors,
-                change,
-            )?) {
-                lived[place].extend(more);
-            }
+            live(places, worlds.clone(), &floors)?;
         }
     }
-    Ok(lived)
+    Ok(())
 }
 
 /// Objects on one floor in some worlds, `[object][world]`.
@@ -482,6 +532,11 @@ fn lived_on_floor(
                 .collect()
         })
         .collect();
+    let alone = |one: &&&Trial| matches!(one.subject.way, Way::Hull(..));
+    let planes = |trial: &&Trial| trial.subject.axes.len() as u64;
+    let effort = trials.iter().filter(|one| !alone(one)).map(planes).sum::<u64>()
+        + ALONE * trials.iter().filter(alone).count() as u64;
+    context.add(effort * range.len() as u64);
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
@@ -567,9 +622,12 @@ fn floors(
     let building = change
         .normal(Group::Building)
         .map(|normal| context.worlds.building_at(normal));
-    context
+    let worlds = range.len() as u64;
+    let found = context
         .worlds
-        .floors(range, levels_ratio, again, building, || context.go_on())
+        .floors(range, levels_ratio, again, building, || context.go_on())?;
+    context.add(worlds * (GROUND + FLOOR * levels_ratio.len() as u64));
+    Ok(found)
 }
 
 fn rigid_in_world(
@@ -642,15 +700,24 @@ fn pads_in_worlds(
         .map(|(place, (job, object))| (place, object.map(|object| (object, job.2.shaking()))))
         .unzip();
     let histories = |place: &usize| jobs[*place].1.subject.axes.len();
-    context.count(places.iter().map(histories).sum());
-    for (place, response) in places.into_iter().zip(responses(sprung)) {
-        let (_, one, floor) = jobs[place];
-        found[place] = Some(one.pad_response(floor, response));
+    let mut sprung = sprung.into_iter();
+    // A run can be stopped in between.
+    for places in places.chunks(ON_PADS_AT_ONCE) {
+        context.go_on()?;
+        let histories = places.iter().map(histories).sum();
+        context.count(histories);
+        let answered = responses(sprung.by_ref().take(places.len()));
+        for (&place, response) in places.iter().zip(answered) {
+            let (_, one, floor) = jobs[place];
+            found[place] = Some(one.pad_response(floor, response));
+        }
+        context.add(ON_PADS * histories as u64);
     }
     let one_by_one = |(place, (job, object)): (usize, (&Job, _))| -> Result<_, Problems> {
         let &(world, one, floor) = job;
         if one.subject.way.is_slow() {
             context.count(1);
+            context.add(ALONE);
             // Each takes long enough to stop between them.
             context.go_on()?;
         } else if world >= CURVED_WORLDS {

@@ -3,6 +3,7 @@
 
 pub(crate) mod compared;
 mod csv;
+mod estimates;
 #[cfg(test)]
 mod fixture;
 mod floors;
@@ -30,6 +31,7 @@ use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use serde::{Deserialize, Serialize};
 
+pub use estimates::{EstimateRow, first_estimates, time_left, usual_time};
 pub use head::{Head, head};
 pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
 pub use rows::JsonRows;
