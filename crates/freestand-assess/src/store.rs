@@ -41,11 +41,7 @@ pub fn part_size(study: &Study, inventory: &Inventory) -> usize {
             .items
             .iter()
             .any(|item| item.surroundings.upper.is_some());
-    if is_slow {
-        SLOW_PART
-    } else {
-        PART
-    }
+    if is_slow { SLOW_PART } else { PART }
 }
 
 /// Rows of an inventory that are assessed and stored together.
@@ -192,7 +188,11 @@ impl Store {
             let path = self.folder.join(name);
             match fs::remove_file(&path) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                    return Err(io_problem(&path, "cannot remove a file of an earlier run", &error));
+                    return Err(io_problem(
+                        &path,
+                        "cannot remove a file of an earlier run",
+                        &error,
+                    ));
                 }
                 _ => {}
             }

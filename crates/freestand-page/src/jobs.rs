@@ -200,7 +200,7 @@ impl Job {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .done
-            .unwrap_or(0)
+            .map_or(0, |(done, _)| done)
     }
 
     /// Whether a file may be downloaded.

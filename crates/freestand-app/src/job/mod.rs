@@ -275,7 +275,7 @@ fn report(
         resumed: portfolio.resumed,
         computed: portfolio.computed,
         unsettled: portfolio.unsettled,
-        worlds: portfolio.lived.worlds,
+        worlds: portfolio.lived.worlds as usize,
         interrupted: portfolio.interrupted,
         decisions: ByName(
             Decision::ALL

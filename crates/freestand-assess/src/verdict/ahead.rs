@@ -67,9 +67,8 @@ fn open_questions(trial: &Trial) -> impl Iterator<Item = Question> {
 
 /// Questions that its worlds have settled; all of them where no more are lived.
 fn settled_questions(context: &Context, trial: &Trial) -> usize {
-    let settled = |question: &Question| {
-        trial.is_settled() || trial.side(context, *question).is_settled()
-    };
+    let settled =
+        |question: &Question| trial.is_settled() || trial.side(context, *question).is_settled();
     open_questions(trial).filter(settled).count()
 }
 
@@ -133,7 +132,9 @@ fn histories_ahead(context: &Context, trial: &Trial, worlds: u32) -> f64 {
     let again = match context.wants_shares && !trial.subject.way.is_slow() {
         true => {
             let question = open_questions(trial).last().unwrap_or(Question::Falls);
-            let shares = trial.models(context).map(|model| share(trial, question, model));
+            let shares = trial
+                .models(context)
+                .map(|model| share(trial, question, model));
             let p = shares.fold(0.0, f64::max);
             shares::changes(p, trial.member.accepted_ratio, worlds as usize) as f64
         }

@@ -5,10 +5,10 @@ use std::sync::OnceLock;
 use freestand::shock_response::{HalfSine, half_sine_severity_ratio};
 use rayon::prelude::*;
 
-use serde::{Deserialize, Serialize};
 use crate::capacity::Capacity;
 use crate::result::Criterion;
 use freestand_inventory::library::Tolerance;
+use serde::{Deserialize, Serialize};
 
 /// The half-sine of one landing.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -201,7 +201,10 @@ pub(crate) fn assess_group(
         Err(error) if error.is_stopped() => {
             let so_far = trials.par_iter().map(|trial| so_far(context, trial));
             let found: Vec<Result<Assessment, Problems>> = so_far.collect();
-            (found.into_iter().collect::<Result<_, _>>()?, Some(kept::worlds(&trials)?))
+            (
+                found.into_iter().collect::<Result<_, _>>()?,
+                Some(kept::worlds(&trials)?),
+            )
         }
         done => (done?, None),
     };

@@ -19,10 +19,10 @@ use freestand_study::hull::{BodyInPose, BodyKind};
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
 use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 
-use serde::{Deserialize, Serialize};
 use crate::reason::{Flat, Missing, unknown};
 use crate::result::{Axis, TooMild};
 use freestand_inventory::{Casters, Item, ItemShape, Surroundings, UpperBody};
+use serde::{Deserialize, Serialize};
 
 use crate::capacity::Capacity;
 

@@ -9,11 +9,11 @@ use freestand::rocking::{Outcome as Rocking, RockingSummary, SideExtremes};
 use freestand::spatial::StackPart;
 use freestand::wall_shock::{WallShock, largest};
 
-use serde::{Deserialize, Serialize};
 use super::capacity::{Demand, Terms};
 use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
 use crate::capacity::Capacity;
+use serde::{Deserialize, Serialize};
 
 /// One axis on a rigid base, or rolling or sliding.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -292,7 +292,10 @@ impl<'a> Trial<'a> {
     /// The looks that may follow.
     pub(super) fn looks_ahead(&self) -> impl Iterator<Item = u32> {
         let worlds = self.worlds();
-        self.looks.iter().copied().filter(move |look| *look > worlds)
+        self.looks
+            .iter()
+            .copied()
+            .filter(move |look| *look > worlds)
     }
 
     fn settle(&mut self, context: &Context) {
@@ -408,14 +411,21 @@ pub(super) fn live_telling(
         for (range, places) in groups {
             let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
             let levels = grouped(places.iter().map(level));
-            each_floor(context, range, &levels, Change::None, |on_floor, worlds, floors| {
-                let together: Vec<&Trial> = on_floor.iter().map(|&place| &trials[place]).collect();
-                let more = lived_on_floor(context, worlds, &together, floors, Change::None)?;
-                for (&place, more) in on_floor.iter().zip(more) {
-                    trials[place].lived.extend(more);
-                }
-                Ok(())
-            })?;
+            each_floor(
+                context,
+                range,
+                &levels,
+                Change::None,
+                |on_floor, worlds, floors| {
+                    let together: Vec<&Trial> =
+                        on_floor.iter().map(|&place| &trials[place]).collect();
+                    let more = lived_on_floor(context, worlds, &together, floors, Change::None)?;
+                    for (&place, more) in on_floor.iter().zip(more) {
+                        trials[place].lived.extend(more);
+                    }
+                    Ok(())
+                },
+            )?;
         }
         trials
             .par_iter_mut()
@@ -534,7 +544,11 @@ fn lived_on_floor(
         .collect();
     let alone = |one: &&&Trial| matches!(one.subject.way, Way::Hull(..));
     let planes = |trial: &&Trial| trial.subject.axes.len() as u64;
-    let effort = trials.iter().filter(|one| !alone(one)).map(planes).sum::<u64>()
+    let effort = trials
+        .iter()
+        .filter(|one| !alone(one))
+        .map(planes)
+        .sum::<u64>()
         + ALONE * trials.iter().filter(alone).count() as u64;
     context.add(effort * range.len() as u64);
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();

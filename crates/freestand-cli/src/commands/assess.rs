@@ -15,8 +15,7 @@ use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_report::assessment::{
-    EstimateRow, JobReport, assessment_text, first_estimates, object_rows, time_left,
-    usual_time,
+    EstimateRow, JobReport, assessment_text, first_estimates, object_rows, time_left, usual_time,
 };
 use freestand_study::run::{Progress, Step};
 use indicatif::ProgressBar;

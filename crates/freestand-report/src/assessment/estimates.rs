@@ -50,13 +50,15 @@ pub fn first_estimates(estimates: &[Estimate]) -> String {
     order.sort_by(|a, b| {
         let key = |one: &Estimate| one.exceed.map_or(one.overturn, |exceed| exceed).value;
         let falls = |one: &Estimate| one.overturn.value;
-        falls(b).total_cmp(&falls(a)).then(key(b).total_cmp(&key(a)))
+        falls(b)
+            .total_cmp(&falls(a))
+            .then(key(b).total_cmp(&key(a)))
     });
     let worlds = estimates.iter().map(|one| one.worlds).max().unwrap_or(0);
     let row = |one: &&Estimate| {
         vec![
             shorten(&one.item.id),
-            shorten(&one.item.name),
+            shorten(&one.item.item),
             spread(one.overturn),
             one.exceed.map_or_else(|| "-".to_owned(), spread),
         ]
@@ -76,7 +78,7 @@ pub fn first_estimates(estimates: &[Estimate]) -> String {
 /// An object after some of its worlds, with the names of `objects.csv`.
 #[derive(Debug, Serialize)]
 pub struct EstimateRow<'a> {
-    row: usize,
+    row: u32,
     id: &'a str,
     worlds: u32,
     p_overturn: f64,
@@ -117,7 +119,14 @@ mod tests {
         let told = [0.0, 5.0, 61.0, 200.0, 4000.0, 20_000.0].map(duration);
         assert_eq!(
             told,
-            ["less than 5 s", "about 5 s", "about 65 s", "about 4 min", "about 67 min", "about 6 h"]
+            [
+                "less than 5 s",
+                "about 5 s",
+                "about 65 s",
+                "about 4 min",
+                "about 67 min",
+                "about 6 h"
+            ]
         );
         assert_eq!(time_left(0.01, 10.0), None);
         assert_eq!(time_left(0.25, 10.0).unwrap(), "about 30 s left");
@@ -131,8 +140,16 @@ mod tests {
         let of = |place: usize, hits: f64| Estimate {
             item: &items[place],
             worlds: 20,
-            overturn: Probability { value: hits / 20.0, low: 0.0, high: 0.206 },
-            exceed: (place == 1).then_some(Probability { value: 0.5, low: 0.25, high: 0.75 }),
+            overturn: Probability {
+                value: hits / 20.0,
+                low: 0.0,
+                high: 0.206,
+            },
+            exceed: (place == 1).then_some(Probability {
+                value: 0.5,
+                low: 0.25,
+                high: 0.75,
+            }),
             is_settled: false,
         };
         insta::assert_snapshot!(first_estimates(&[of(0, 0.0), of(1, 3.0)]));

@@ -74,7 +74,7 @@ fn stopped(report: &JobReport) -> String {
         parts.push(format!(
             "{} not settled, after up to {}",
             counted(report.unsettled, "object"),
-            counted(report.worlds as usize, "world")
+            counted(report.worlds, "world")
         ));
     }
     if begun < report.objects {

@@ -123,9 +123,9 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let total = study.levels.len() * study.objects.blocks.len() * names.len() * directions;
     let tell = |stage, done| {
         progress(Step::new(stage, done, total))
-        .is_continue()
-        .then_some(())
-        .ok_or_else(|| Problems::from(Problem::stopped()))
+            .is_continue()
+            .then_some(())
+            .ok_or_else(|| Problems::from(Problem::stopped()))
     };
     let ground = ground_motions(&study.ground, || tell(Stage::GroundMotions, 0))?;
     let floors = floors(study, &ground, || tell(Stage::FloorMotions, 0))?;

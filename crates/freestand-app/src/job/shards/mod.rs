@@ -131,8 +131,8 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
         outcomes: plan.outcomes().then_some(outcomes_rows),
         motions: Some(&motions),
     };
-    let mut assessor =
-        Assessor::new(&study, plan.rows(), keep, &wants_to_stop, &watch).beside(alternative.as_ref());
+    let mut assessor = Assessor::new(&study, plan.rows(), keep, &wants_to_stop, &watch)
+        .beside(alternative.as_ref());
     let mut failed = 0;
     for part in &parts {
         let done = part.rows.start - rows.start;
@@ -225,7 +225,15 @@ pub fn merge_shards(
         outcomes: job.outcomes.then_some(outcomes_rows),
         motions: Some(&motions),
     };
-    let portfolio = assess(&study, &inventory, store, parts, keep, Tell::default(), progress)?;
+    let portfolio = assess(
+        &study,
+        &inventory,
+        store,
+        parts,
+        keep,
+        Tell::default(),
+        progress,
+    )?;
     if portfolio.interrupted {
         return Err(Problem::stopped().into());
     }
