@@ -9,7 +9,7 @@ use super::Context;
 use super::draw::Change;
 use super::object::Model;
 use super::response::Lived;
-use super::trial::{Question, Trial, answer, grouped, lived_in};
+use super::trial::{Trial, grouped, has_event, lived_in};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
 const FEWEST: usize = 10;
@@ -205,17 +205,4 @@ fn is_varied(context: &Context, trial: &Trial, cause: Cause) -> bool {
     cause != Cause::Pad
         || trial.subject.body.is_some()
         || friction.is_some_and(|(low, high)| low < high)
-}
-
-/// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
-fn has_event(trial: &Trial, lived: &Lived) -> bool {
-    let question = if trial.is_open(Question::Shock) {
-        Question::Shock
-    } else {
-        Question::Falls
-    };
-    let models = [Model::Rigid, Model::Pads].into_iter();
-    models
-        .filter_map(|model| answer(&trial.subject, lived, question, model)?)
-        .any(|yes| yes)
 }

@@ -387,6 +387,19 @@ pub(super) fn answer(
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
 }
 
+/// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
+pub(super) fn has_event(trial: &Trial, lived: &Lived) -> bool {
+    let question = if trial.is_open(Question::Shock) {
+        Question::Shock
+    } else {
+        Question::Falls
+    };
+    let models = [Model::Rigid, Model::Pads].into_iter();
+    models
+        .filter_map(|model| answer(&trial.subject, lived, question, model)?)
+        .any(|yes| yes)
+}
+
 /// Adds worlds until every trial is settled or has reached its cap. What was lived stays in the trials
 /// where the run is stopped.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
@@ -552,39 +565,47 @@ fn lived_on_floor(
         + ALONE * trials.iter().filter(alone).count() as u64;
     context.add(effort * range.len() as u64);
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
-    // On pads the worlds that were lived through stay as they are.
-    let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
-    let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
-    let mut pads =
-        pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
-    let mut slipped = slipped_in_worlds(context, trials, &slips, &draws, floors)?;
-    let lived = trials.iter().enumerate().map(|(place, trial)| {
-        let worlds = rigid.iter_mut().zip(&draws).zip(floors).enumerate();
-        let mut own_pads = match is_known(trial) {
-            true => trial.lived[range.start as usize..range.end as usize]
-                .iter()
-                .map(|one| one.pads.clone())
-                .collect(),
-            false if is_asked(trial) => pads.next().unwrap_or_default(),
-            false => Vec::new(),
-        }
-        .into_iter();
-        let one = worlds.map(|(world, ((rigid, draws), floor))| {
-            let without_slip = own_pads.next().flatten();
-            Lived {
-                draw: draws[place],
-                rigid: rigid
-                    .next()
-                    .unwrap_or_else(|| Some(Err(Lost::no_history()))),
-                pads: slipped.remove(&(place, world)).or(without_slip),
-                slips: slips[world][place],
-                pfa_m_s2: floor.pfa_m_s2,
-                pfv_m_s: floor.pfv_m_s,
-            }
+    let of_object = |place: usize| {
+        let worlds = rigid.iter_mut().zip(&draws).zip(floors).zip(&slips);
+        let one = worlds.map(|(((rigid, draws), floor), slips)| Lived {
+            draw: draws[place],
+            rigid: rigid
+                .next()
+                .unwrap_or_else(|| Some(Err(Lost::no_history()))),
+            pads: None,
+            slips: slips[place],
+            pfa_m_s2: floor.pfa_m_s2,
+            pfv_m_s: floor.pfv_m_s,
         });
         one.collect()
-    });
-    Ok(lived.collect())
+    };
+    let mut lived: Vec<Vec<Lived>> = (0..trials.len()).map(of_object).collect();
+    // On pads the worlds that were lived through stay as they are.
+    let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
+    for (trial, lived) in trials
+        .iter()
+        .zip(&mut lived)
+        .filter(|(one, _)| is_known(one))
+    {
+        let before = &trial.lived[range.start as usize..range.end as usize];
+        for (now, before) in lived.iter_mut().zip(before) {
+            now.pads.clone_from(&before.pads);
+        }
+    }
+    let is_asked = |place: usize, world: usize| {
+        let (trial, lived) = (trials[place], &lived[place][world]);
+        // Where a group is drawn again, all that counts is whether any model has the event.
+        let is_enough = change != Change::None && !lived.slips && has_event(trial, lived);
+        trial.asks(context, Model::Pads) && !is_known(trial) && !is_enough
+    };
+    let on_pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?;
+    for ((place, world), response) in on_pads {
+        lived[place][world].pads = response;
+    }
+    for ((place, world), response) in slipped_in_worlds(context, trials, &slips, &draws, floors)? {
+        lived[place][world].pads = Some(response);
+    }
+    Ok(lived)
 }
 
 /// The histories with friction of the objects that slide while they rock, by the places of the object
@@ -678,28 +699,29 @@ fn rigid_in_world(
 /// The number of a world, an object with its values there, and its floor.
 type Job<'a> = (u32, Drawn<'a>, &'a FloorOfWorld);
 
-/// Of each object whose pads are asked, its response in each world; `None` where its contact law is
-/// curved and enough worlds were followed.
+/// By the places of the objects and of the worlds that are asked, the responses on pads; `None` where the
+/// contact law is curved and enough worlds were followed.
 fn pads_in_worlds(
     context: &Context,
     trials: &[&Trial],
-    is_asked: impl Fn(&Trial) -> bool,
+    is_asked: impl Fn(usize, usize) -> bool,
     draws: &[Vec<Draw>],
     floors: &[Arc<FloorOfWorld>],
     first: u32,
-) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
+) -> Result<Vec<((usize, usize), Option<PadResponse>)>, Problems> {
     // The worlds of one object stand side by side in the kernel: they resemble each other.
+    let mut keys: Vec<(usize, usize)> = Vec::new();
     let mut jobs: Vec<Job> = Vec::new();
-    let asked = trials.iter().enumerate().filter(|(_, one)| is_asked(one));
-    let mut count = 0;
-    for (place, trial) in asked {
-        count += 1;
+    for (place, trial) in trials.iter().enumerate() {
         let subject = &trial.subject;
-        let worlds = (first..).zip(draws).zip(floors);
-        jobs.extend(worlds.map(|((world, draws), floor)| {
-            let draw = &draws[place];
-            (world, Drawn { subject, draw }, &**floor)
-        }));
+        let worlds = (first..).zip(draws).zip(floors).enumerate();
+        for (index, ((world, draws), floor)) in worlds {
+            if is_asked(place, index) {
+                let draw = &draws[place];
+                keys.push((place, index));
+                jobs.push((world, Drawn { subject, draw }, &**floor));
+            }
+        }
     }
     let objects: Vec<_> = jobs.par_iter().map(|job| job.1.on_pads(None)).collect();
     let (sprung, others): (Vec<_>, Vec<_>) = jobs
@@ -748,9 +770,7 @@ fn pads_in_worlds(
     for (place, response) in others? {
         found[place] = response;
     }
-    let mut found = found.into_iter();
-    let of_object = |_| found.by_ref().take(floors.len()).collect();
-    Ok((0..count).map(of_object).collect())
+    Ok(keys.into_iter().zip(found).collect())
 }
 
 impl Context<'_> {
