@@ -7,8 +7,6 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
-use super::object::Model;
-use super::response::Lived;
 use super::trial::{Trial, grouped, has_event, lived_in};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
