@@ -141,6 +141,14 @@ pub(super) enum Change {
 }
 
 impl Change {
+    /// What of it changes the motions of floors.
+    pub(super) fn of_floors(self) -> Self {
+        match self {
+            Self::Again(Group::Motion | Group::Building) | Self::At(Group::Building, _) => self,
+            Self::None | Self::Again(_) | Self::At(..) => Self::None,
+        }
+    }
+
     fn repetition(self, group: Group) -> u32 {
         u32::from(self == Self::Again(group))
     }

@@ -7,7 +7,7 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
-use super::trial::{Trial, grouped, has_event, lived_in};
+use super::trial::{Life, Trial, has_event, live_again};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
 const FEWEST: usize = 10;
@@ -50,36 +50,57 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
         .filter(|(_, trial)| is_asked(context, trial))
         .filter_map(|(place, trial)| Asked::new(place, trial))
         .collect();
+    let mut wanted: Vec<(usize, Cause, Change)> = Vec::new();
     for cause in Cause::ALL {
-        let wants = |one: &Asked| one.wants_shares && is_varied(context, one.trial, cause);
-        for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
-            let one = &mut asked[place];
-            let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
-            one.by_group
-                .push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
+        let changes = [
+            (true, Change::Again(cause.group())),
+            (false, Change::At(cause.group(), -NORMAL_90)),
+            (false, Change::At(cause.group(), NORMAL_90)),
+        ];
+        for (place, one) in asked.iter().enumerate() {
+            let is_varied = is_varied(context, one.trial, cause);
+            let is_near = one.is_near && MEASURED.contains(&cause);
+            let wants =
+                |is_share: bool| is_varied && if is_share { one.wants_shares } else { is_near };
+            let changes = changes.iter().filter(|(is_share, _)| wants(*is_share));
+            wanted.extend(changes.map(|(_, change)| (place, cause, *change)));
         }
     }
-    for cause in MEASURED {
-        let wants = |one: &Asked| one.is_near && is_varied(context, one.trial, cause);
-        let low = events(
-            context,
-            &asked,
-            wants,
-            Change::At(cause.group(), -NORMAL_90),
-        )?;
-        let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
-        for ((place, low), (_, high)) in low.into_iter().zip(high) {
-            let one = &mut asked[place];
-            let [low, high] = [low, high].map(|events| share(&events));
-            let accepted = one.trial.member.accepted_ratio;
-            let crosses = (low > accepted) != (high > accepted);
-            // The widest first.
-            if crosses
-                && one
-                    .measure_first
-                    .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
-            {
-                one.measure_first = Some((cause, low, high));
+    let life = |&(place, _, change): &(usize, Cause, Change)| Life {
+        trial: asked[place].trial,
+        worlds: u32::try_from(asked[place].own.len()).unwrap_or(u32::MAX),
+        change,
+    };
+    let lives: Vec<Life> = wanted.iter().map(life).collect();
+    let mut events: Vec<Vec<bool>> = wanted.iter().map(|_| Vec::new()).collect();
+    live_again(context, &lives, |place, lived| {
+        let trial = lives[place].trial;
+        events[place].extend(lived.iter().map(|one| has_event(trial, one)));
+    })?;
+    drop(lives);
+    // The two ends of a group follow each other.
+    let mut low = None;
+    for ((place, cause, change), events) in wanted.into_iter().zip(events) {
+        let one = &mut asked[place];
+        match change {
+            Change::At(_, normal) if normal < 0.0 => low = Some(share(&events)),
+            Change::At(..) => {
+                let (low, high) = (low.take().unwrap_or_default(), share(&events));
+                let accepted = one.trial.member.accepted_ratio;
+                let crosses = (low > accepted) != (high > accepted);
+                // The widest first.
+                if crosses
+                    && one
+                        .measure_first
+                        .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
+                {
+                    one.measure_first = Some((cause, low, high));
+                }
+            }
+            Change::Again(_) | Change::None => {
+                let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(events).collect();
+                one.by_group
+                    .push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
             }
         }
     }
@@ -159,35 +180,6 @@ pub(super) fn changes(p: f64, accepted: f64, worlds: usize) -> usize {
 
 fn share(events: &[bool]) -> f64 {
     events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
-}
-
-/// The events of those that want a change, with their places in `asked`.
-fn events(
-    context: &Context,
-    asked: &[Asked],
-    wants: impl Fn(&Asked) -> bool,
-    change: Change,
-) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
-    let wanting = asked
-        .iter()
-        .enumerate()
-        .filter(|(_, one)| wants(one))
-        .map(|(place, one)| (one.own.len(), place));
-    let mut found = Vec::new();
-    for (worlds, places) in grouped(wanting) {
-        let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
-        let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
-        let lived = lived_in(context, range, &trials, change)?;
-        for (place, lived) in places.into_iter().zip(lived) {
-            let trial = asked[place].trial;
-            found.push((
-                place,
-                lived.iter().map(|one| has_event(trial, one)).collect(),
-            ));
-        }
-    }
-    found.sort_by_key(|(place, _)| *place);
-    Ok(found)
 }
 
 /// Histories that take long are repeated only where the study says so.

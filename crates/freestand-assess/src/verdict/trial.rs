@@ -469,28 +469,56 @@ const MAX_HELD: usize = 1024;
 /// Worlds that are lived through together: a run that is stopped loses those that it is in, on one floor.
 const BLOCK: usize = 40;
 
-/// Objects in some worlds, `[object][world]`.
-pub(super) fn lived_in(
+/// An object that lives through its first worlds, as they are or with a change.
+pub(super) struct Life<'t, 'a> {
+    pub(super) trial: &'t Trial<'a>,
+    pub(super) worlds: u32,
+    pub(super) change: Change,
+}
+
+/// Objects in their first worlds; `tell` is called with the place of each and the worlds that come next for
+/// it, in their order. Floors are calculated once for all that move in the same way.
+pub(super) fn live_again(
     context: &Context,
-    range: Range<u32>,
-    trials: &[&Trial],
-    change: Change,
-) -> Result<Vec<Vec<Lived>>, Problems> {
-    let level = |(place, trial): (usize, &&Trial)| (trial.subject.level_ratio.to_bits(), place);
-    let levels = grouped(trials.iter().enumerate().map(level));
-    let mut lived: Vec<Vec<Lived>> = trials
-        .iter()
-        .map(|_| Vec::with_capacity(range.len()))
-        .collect();
-    each_floor(context, range, &levels, change, |places, worlds, floors| {
-        let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
-        let more = lived_on_floor(context, worlds, &on_floor, floors, change)?;
-        for (&place, more) in places.iter().zip(more) {
-            lived[place].extend(more);
-        }
-        Ok(())
-    })?;
-    Ok(lived)
+    lives: &[Life],
+    mut tell: impl FnMut(usize, Vec<Lived>),
+) -> Result<(), Problems> {
+    let by_floors = lives.iter().enumerate();
+    let by_floors = grouped(by_floors.map(|(place, life)| (life.change.of_floors(), place)));
+    for (of_floors, places) in by_floors {
+        let level = |&place: &usize| (lives[place].trial.subject.level_ratio.to_bits(), place);
+        let levels = grouped(places.iter().map(level));
+        let most = places.iter().map(|&place| lives[place].worlds).max();
+        let range = 0..most.unwrap_or(0);
+        each_floor(
+            context,
+            range,
+            &levels,
+            of_floors,
+            |on_floor, block, floors| {
+                let here = on_floor
+                    .iter()
+                    .filter(|&&place| lives[place].worlds > block.start);
+                let alike = here.map(|&place| {
+                    let life = &lives[place];
+                    ((life.change, life.worlds.min(block.end)), place)
+                });
+                for ((change, end), places) in grouped(alike) {
+                    let together: Vec<&Trial> =
+                        places.iter().map(|&place| lives[place].trial).collect();
+                    let worlds = block.start..end;
+                    let floors = &floors[..worlds.len()];
+                    let more = lived_on_floor(context, worlds, &together, floors, change)?;
+                    places
+                        .into_iter()
+                        .zip(more)
+                        .for_each(|(place, more)| tell(place, more));
+                }
+                Ok(())
+            },
+        )?;
+    }
+    Ok(())
 }
 
 /// Lives through some worlds block by block, and in each floor by floor, with the places of the objects on
