@@ -233,7 +233,10 @@ fn a_run_that_was_stopped_goes_on() {
     };
     assert_eq!(stopped_in(0), (true, 0, 0));
     let first = stopped_in(1);
-    assert!(first.0 && first.1 == 0 && (1..=512).contains(&first.2), "{first:?}");
+    assert!(
+        first.0 && first.1 == 0 && (1..=512).contains(&first.2),
+        "{first:?}"
+    );
     let report = run(&study, &rows, &out, &go_on, &no_progress);
     assert!(!report.interrupted && report.unsettled == 0);
     assert_eq!(report.resumed + report.computed, 520);

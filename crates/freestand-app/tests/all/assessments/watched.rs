@@ -23,7 +23,13 @@ const ROWS: &str = "id,item,level_ratio,height [mm],thickness [mm],mass [kg],sti
                     a,box,0,1800,300,,,\nb,box,0.5,900,700,,,\nc,box,1,1500,500,,,\n\
                     d,rack,0.5,2000,900,400,1500,4\ne,rack,0,1600,800,300,3000,8\n";
 
-fn run(out: &Path, (study, rows): (&str, &str), resume: bool, told: Told, progress: Progress) -> JobReport {
+fn run(
+    out: &Path,
+    (study, rows): (&str, &str),
+    resume: bool,
+    told: Told,
+    progress: Progress,
+) -> JobReport {
     let folder = tempfile::tempdir().unwrap();
     let list = folder.path().join("list.csv");
     fs::write(&list, rows).unwrap();
@@ -43,8 +49,14 @@ fn cells(out: &Path, id: &str, names: &[&str]) -> Vec<String> {
     let header = reader.headers().unwrap().clone();
     let place = |name: &str| header.iter().position(|one| one == name).unwrap();
     let rows = reader.records().map(Result::unwrap);
-    let row = rows.into_iter().find(|row| &row[place("id")] == id).unwrap();
-    names.iter().map(|name| row[place(name)].to_owned()).collect()
+    let row = rows
+        .into_iter()
+        .find(|row| &row[place("id")] == id)
+        .unwrap();
+    names
+        .iter()
+        .map(|name| row[place(name)].to_owned())
+        .collect()
 }
 
 /// Stopped at several places of its effort, again and again: no world is lived twice, what was lived is in the
@@ -92,7 +104,14 @@ fn every_world_is_kept() {
     let report = run(&out, (STUDY, ROWS), true, Told::default(), &no_progress);
     assert_eq!((report.interrupted, report.unsettled), (false, 0));
     assert_eq!(histories + report.histories, plain.histories);
-    for name in ["objects.csv", "worklist.csv", "worlds.csv", "outcomes.csv", "manifest.json", "report.html"] {
+    for name in [
+        "objects.csv",
+        "worklist.csv",
+        "worlds.csv",
+        "outcomes.csv",
+        "manifest.json",
+        "report.html",
+    ] {
         let read = |folder: &Path| fs::read(folder.join(name)).unwrap();
         assert!(read(&whole) == read(&out), "{name}");
     }
@@ -112,13 +131,21 @@ fn the_bar_moves_with_the_effort() {
         ControlFlow::Continue(())
     };
     let folder = tempfile::tempdir().unwrap();
-    run(&folder.path().join("out"), (STUDY, ROWS), false, Told::default(), &keeps);
+    run(
+        &folder.path().join("out"),
+        (STUDY, ROWS),
+        false,
+        Told::default(),
+        &keeps,
+    );
     let steps = steps.into_inner().unwrap();
     let efforts: Vec<(u64, u64)> = steps.iter().filter_map(|step| step.effort).collect();
     assert!(efforts.is_sorted_by_key(|(done, _)| *done) && efforts.len() > 20);
     let (all, _) = *efforts.last().unwrap();
     let late = efforts.iter().filter(|(done, _)| 10 * done >= all);
-    let ratios: Vec<f64> = late.map(|(_, expected)| *expected as f64 / all as f64).collect();
+    let ratios: Vec<f64> = late
+        .map(|(_, expected)| *expected as f64 / all as f64)
+        .collect();
     let [least, most] = [f64::min, f64::max].map(|of| ratios.iter().copied().reduce(of).unwrap());
     assert!(least > 1.0 / 1.5 && most < 1.5, "{least} {most}");
     // Two questions about those with a tolerance.
@@ -137,7 +164,13 @@ fn estimates_come_first_and_get_sharper() {
         told.push(
             estimates
                 .iter()
-                .map(|one| (one.item.id.clone(), one.worlds, one.overturn.high - one.overturn.low))
+                .map(|one| {
+                    (
+                        one.item.id.clone(),
+                        one.worlds,
+                        one.overturn.high - one.overturn.low,
+                    )
+                })
                 .collect::<Vec<_>>(),
         );
     };
@@ -146,12 +179,23 @@ fn estimates_come_first_and_get_sharper() {
         ..Told::default()
     };
     let folder = tempfile::tempdir().unwrap();
-    run(&folder.path().join("out"), (STUDY, ROWS), false, told_of, &no_progress);
+    run(
+        &folder.path().join("out"),
+        (STUDY, ROWS),
+        false,
+        told_of,
+        &no_progress,
+    );
     let told = told.into_inner().unwrap();
     let ids: Vec<&str> = told[0].iter().map(|(id, ..)| id.as_str()).collect();
     assert_eq!(ids, ["a", "b", "c", "d", "e"]);
     assert!(told[0].iter().all(|(_, worlds, _)| *worlds == 20));
     let last = told.last().unwrap();
-    let sharper = told[0].iter().zip(last).filter(|(first, last)| last.1 > first.1);
-    assert!(sharper.clone().count() > 0 && sharper.into_iter().all(|(first, last)| last.2 < first.2));
+    let sharper = told[0]
+        .iter()
+        .zip(last)
+        .filter(|(first, last)| last.1 > first.1);
+    assert!(
+        sharper.clone().count() > 0 && sharper.into_iter().all(|(first, last)| last.2 < first.2)
+    );
 }
