@@ -16,6 +16,10 @@ use super::watch::{ALONE, Estimate, FLOOR, GROUND, ON_PADS};
 /// Softer pads that are usually tried.
 const TRIED_PADS: f64 = 4.0;
 
+/// How often floors are calculated for what answers depend on: as they are, with another motion, with another building,
+/// and with both ends of its period.
+const FLOORS_AGAIN: f64 = 5.0;
+
 /// Tells what is known of objects, and what they still need.
 pub(super) fn tell(context: &Context, trials: &[Trial]) {
     let Some(watch) = context.watch else { return };
@@ -24,24 +28,42 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
         .iter()
         .map(|trial| expected_worlds(context, trial))
         .collect();
-    let needed = trials.iter().zip(&expected);
-    let of_objects: f64 = needed
-        .map(|(trial, &worlds)| in_world(context, trial) * histories_ahead(context, trial, worlds))
+    let lives: Vec<Lives> = trials
+        .iter()
+        .zip(&expected)
+        .map(|(trial, &worlds)| Lives::ahead(context, trial, worlds))
+        .collect();
+    let of_objects: f64 = trials
+        .iter()
+        .zip(&lives)
+        .map(|(trial, lives)| lives.effort(context, trial))
         .sum();
+    // Those who live together share their floors.
+    let most = |of: fn(&Lives) -> f64| lives.iter().map(of).fold(0.0, f64::max);
     let now = trials.iter().map(Trial::worlds).max().unwrap_or(0);
-    let most = expected.iter().copied().max().unwrap_or(0);
+    let last = expected.iter().copied().max().unwrap_or(0);
+    let worlds = f64::from(last.saturating_sub(now))
+        + most(|lives| lives.on_softer)
+        + most(|lives| lives.before_walls)
+        + most(|lives| {
+            if lives.changes > 0.0 {
+                FLOORS_AGAIN * lives.again
+            } else {
+                0.0
+            }
+        });
     let mut levels: Vec<u64> = trials
         .iter()
         .map(|trial| trial.subject.level_ratio.to_bits())
         .collect();
     levels.sort_unstable();
     levels.dedup();
-    let of_floors = u64::from(most.saturating_sub(now)) * (GROUND + FLOOR * levels.len() as u64);
+    let of_floors = worlds * (GROUND + FLOOR * levels.len() as u64) as f64;
     let estimates: Vec<Estimate> = trials
         .iter()
         .map(|trial| estimate(context, trial))
         .collect();
-    watch.looked(settled.sum(), of_objects as u64 + of_floors, &estimates);
+    watch.looked(settled.sum(), (of_objects + of_floors) as u64, &estimates);
 }
 
 fn estimate<'a>(context: &Context, trial: &Trial<'a>) -> Estimate<'a> {
@@ -121,24 +143,51 @@ fn in_world(context: &Context, trial: &Trial) -> f64 {
     effort as f64
 }
 
-/// How often it is still followed, if it needs so many worlds: in the worlds that it lacks, on softer pads,
-/// and for what its answers depend on.
-fn histories_ahead(context: &Context, trial: &Trial, worlds: u32) -> f64 {
-    let lacking = f64::from(worlds - trial.worlds());
-    let on_softer = match softer::is_wanted(context, trial) {
-        true => TRIED_PADS * f64::from(worlds),
-        false => 0.0,
-    };
-    let again = match context.wants_shares && !trial.subject.way.is_slow() {
-        true => {
-            let question = open_questions(trial).last().unwrap_or(Question::Falls);
-            let shares = trial
-                .models(context)
-                .map(|model| share(trial, question, model));
-            let p = shares.fold(0.0, f64::max);
-            shares::changes(p, trial.member.accepted_ratio, worlds as usize) as f64
+/// How often an object is still followed, in worlds.
+struct Lives {
+    /// In the worlds that it lacks.
+    lacking: f64,
+    /// On softer pads.
+    on_softer: f64,
+    /// Before a wall, on a rigid base.
+    before_walls: f64,
+    /// For what its answers depend on: so many changes in so many worlds.
+    changes: f64,
+    again: f64,
+}
+
+impl Lives {
+    /// If it needs so many worlds.
+    fn ahead(context: &Context, trial: &Trial, worlds: u32) -> Self {
+        let falls = trial.side(context, Question::Falls) == Side::Above;
+        let question = open_questions(trial).last().unwrap_or(Question::Falls);
+        let shares = trial
+            .models(context)
+            .map(|model| share(trial, question, model));
+        let p = shares.fold(0.0, f64::max);
+        let (changes, again) = match context.wants_shares && !trial.subject.way.is_slow() {
+            true => shares::changes(p, trial.member.accepted_ratio, worlds as usize),
+            false => (0, 0),
+        };
+        let worlds_if = |wanted: bool, times: f64| {
+            if wanted {
+                times * f64::from(worlds)
+            } else {
+                0.0
+            }
+        };
+        Self {
+            lacking: f64::from(worlds - trial.worlds()),
+            on_softer: worlds_if(softer::is_wanted(context, trial), TRIED_PADS),
+            before_walls: worlds_if(falls && trial.asks(context, Model::Rigid), 1.0),
+            changes: changes as f64,
+            again: again as f64,
         }
-        false => 0.0,
-    };
-    lacking + on_softer + again
+    }
+
+    fn effort(&self, context: &Context, trial: &Trial) -> f64 {
+        let planes = trial.subject.axes.len() as f64;
+        let followed = self.lacking + self.on_softer + self.changes * self.again;
+        in_world(context, trial) * followed + 2.0 * planes * self.before_walls
+    }
 }

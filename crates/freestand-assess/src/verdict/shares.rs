@@ -169,13 +169,13 @@ fn is_near(p: f64, accepted: f64) -> bool {
     p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted
 }
 
-/// In how many further worlds an object is followed that has the event with this probability.
-pub(super) fn changes(p: f64, accepted: f64, worlds: usize) -> usize {
+/// How many changes are tried, and in how many worlds, of an object that has the event with this probability.
+pub(super) fn changes(p: f64, accepted: f64, worlds: usize) -> (usize, usize) {
     let worlds = worlds.min(MAX_WORLDS);
     let hits = (p * worlds as f64).round() as usize;
     let of_shares = Cause::ALL.len() * usize::from(has_both(hits, worlds));
     let at_ends = 2 * MEASURED.len() * usize::from(hits > 0 && is_near(p, accepted));
-    (of_shares + at_ends) * worlds
+    (of_shares + at_ends, worlds)
 }
 
 fn share(events: &[bool]) -> f64 {
