@@ -72,15 +72,15 @@ fn every_world_is_kept() {
         ControlFlow::Continue(())
     };
     let plain = run(&whole, (STUDY, ROWS), false, Told::default(), &counts);
-    // A part of the worlds is lived by each of three runs, before what follows them begins.
+    // Each of three runs lives through some of the worlds: what follows after the last world is not kept.
+    const STEPS: u64 = 7;
     let first = 20 * 7;
     let mut histories = 0;
     for run_number in 0..3 {
         let calls = AtomicU64::new(0);
         let stops = |step: Step| {
-            let is_over = step.effort.is_some()
-                && calls.fetch_add(1, Ordering::Relaxed) >= 4 + 5 * run_number;
-            match is_over || calls.load(Ordering::Relaxed) > 4 + 5 * run_number {
+            calls.fetch_add(u64::from(step.effort.is_some()), Ordering::Relaxed);
+            match calls.load(Ordering::Relaxed) >= STEPS {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
             }
