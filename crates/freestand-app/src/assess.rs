@@ -186,7 +186,6 @@ impl Question for Assess {
                 force: false,
                 parquet: parquet(&mut read),
                 outcomes: read.flag("outcomes"),
-                part_rows: None,
             },
             fail_on: read.choices("fail_on", VERDICTS),
             pages: read.whole_within("pages", 0..),

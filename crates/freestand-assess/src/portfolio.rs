@@ -8,7 +8,10 @@ use crate::rank::Urgency;
 use crate::reason::Reason;
 use crate::result::{Assessment, Decision};
 use crate::two_spectra::{refuse_outcomes, worse};
-use crate::verdict::{Context, Member, Subject, WriteOutcomes, assess_group, blank, restraint_of};
+use crate::verdict::{
+    Context, Grouped, Member, Subject, WriteOutcomes, assess_group, blank, restraint_of,
+};
+pub use crate::verdict::{Estimate, TellEstimates, Watch, usual_effort};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_inventory::{Inventory, Item};
@@ -29,6 +32,8 @@ pub struct Portfolio<'a> {
     pub resumed: usize,
     /// Objects that this run assessed.
     pub computed: usize,
+    /// Objects whose worlds did not suffice before it was stopped.
+    pub unsettled: usize,
     /// Whether it was stopped before its end.
     pub interrupted: bool,
     /// Rocking histories that this run computed.
@@ -57,6 +62,15 @@ pub fn progress_names(parts: &[Part]) -> Vec<String> {
 /// Called with each object when it is finished; its rank is that among the objects which were told before
 /// it.
 pub type TellObject<'a> = &'a dyn Fn(&Item, usize, &Assessment);
+
+/// Who is told of objects.
+#[derive(Clone, Copy, Default)]
+pub struct Tell<'a> {
+    /// When they are finished.
+    pub objects: Option<TellObject<'a>>,
+    /// After each look at their worlds.
+    pub estimates: Option<TellEstimates<'a>>,
+}
 
 /// What is kept of every world beside the results.
 #[derive(Clone, Copy, Default)]
@@ -106,25 +120,19 @@ impl Lived {
 ///
 /// # Errors
 /// A motion that cannot be generated, or a folder that cannot be written. A stop is not an error:
-/// the result then has the objects that were finished.
+/// the result then has the parts that were begun, and their worlds are stored for a run that goes on.
 pub fn assess<'a>(
     study: &'a Study,
     inventory: &'a Inventory,
     store: Store,
     parts: Vec<Part>,
     keep: Keep,
-    tell: Option<TellObject>,
+    tell: Tell,
     progress: Progress,
 ) -> Result<Portfolio<'a>, Problems> {
     let total = inventory.items.len();
-    let wants_to_stop = || {
-        progress(Step {
-            stage: None,
-            done: 0,
-            total: 0,
-        })
-        .is_break()
-    };
+    let wants_to_stop = || progress(Step::asks()).is_break();
+    let watch = Watch::new(study, &inventory.items, tell.estimates, progress);
     let mut portfolio = Portfolio {
         inventory,
         store,
@@ -132,6 +140,7 @@ pub fn assess<'a>(
         ranks: Vec::new(),
         resumed: 0,
         computed: 0,
+        unsettled: 0,
         interrupted: false,
         histories: 0,
         decisions: [0; Decision::COUNT],
@@ -144,44 +153,33 @@ pub fn assess<'a>(
     let alternative = study.alternative();
     refuse_outcomes(keep.outcomes.is_some(), alternative.as_ref())?;
     let mut assessor =
-        Assessor::new(study, total, keep, &wants_to_stop).beside(alternative.as_ref());
+        Assessor::new(study, total, keep, &wants_to_stop, &watch).beside(alternative.as_ref());
     let mut list = Vec::with_capacity(total);
     let mut ranked: Vec<Urgency> = Vec::new();
     for part in parts {
         let items = inventory.items.get(part.rows.clone()).unwrap_or_default();
-        if progress(Step {
-            stage: Some(Stage::Objects),
-            done: part.rows.start,
-            total,
-        })
-        .is_break()
-        {
+        if wants_to_stop() {
             portfolio.interrupted = true;
             break;
         }
-        let found = match assessor.part(&portfolio.store, &part, items, progress) {
-            Ok(Assessed {
-                found,
-                is_stored: true,
-            }) => {
-                portfolio.resumed += found.len();
-                found
+        let Assessed { found, state } =
+            match assessor.part(&portfolio.store, &part, items, progress) {
+                Err(error) if error.is_stopped() => {
+                    portfolio.interrupted = true;
+                    break;
+                }
+                found => found?,
+            };
+        let unsettled = found.iter().filter(|one| one.was_stopped()).count();
+        portfolio.unsettled += unsettled;
+        match state {
+            PartState::Stored => portfolio.resumed += found.len(),
+            PartState::Computed | PartState::Stopped => {
+                portfolio.computed += found.len() - unsettled;
             }
-            Ok(Assessed {
-                found,
-                is_stored: false,
-            }) => {
-                portfolio.computed += found.len();
-                found
-            }
-            Err(error) if error.is_stopped() => {
-                portfolio.interrupted = true;
-                break;
-            }
-            Err(error) => return Err(error),
-        };
+        }
         portfolio.count(items, &found);
-        if let Some(tell) = tell {
+        if let Some(tell) = tell.objects {
             for (item, found) in items.iter().zip(&found) {
                 let urgency = Urgency::new(item, found);
                 let place = ranked.partition_point(|other| other.order(&urgency).is_lt());
@@ -196,6 +194,10 @@ pub fn assess<'a>(
                 .map(|(item, found)| Urgency::new(item, found)),
         );
         portfolio.parts.push(part);
+        if state == PartState::Stopped {
+            portfolio.interrupted = true;
+            break;
+        }
     }
     portfolio.histories = assessor.histories();
     portfolio.worlds = assessor.worlds;
@@ -210,6 +212,7 @@ pub struct Assessor<'a, 's> {
     total: usize,
     keep: Keep<'s>,
     wants_to_stop: &'s (dyn Fn() -> bool + Sync),
+    watch: &'s Watch<'s>,
     context: Option<Context<'s>>,
     /// The study with the other spectrum of its national annex.
     alternative: Option<&'s Study>,
@@ -223,8 +226,19 @@ pub struct Assessor<'a, 's> {
 pub struct Assessed {
     /// One for each row.
     pub found: Vec<Assessment>,
-    /// Whether they were in the store already.
-    pub is_stored: bool,
+    /// Where they come from.
+    pub state: PartState,
+}
+
+/// Where the results of a part come from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PartState {
+    /// They were in the store already.
+    Stored,
+    /// They were calculated.
+    Computed,
+    /// The run was stopped before they were complete; the worlds so far are stored.
+    Stopped,
 }
 
 impl<'a: 's, 's> Assessor<'a, 's> {
@@ -234,6 +248,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
         total: usize,
         keep: Keep<'s>,
         wants_to_stop: &'s (dyn Fn() -> bool + Sync),
+        watch: &'s Watch<'s>,
     ) -> Self {
         let (context, worlds) = (None, None);
         Self {
@@ -241,6 +256,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
             total,
             keep,
             wants_to_stop,
+            watch,
             context,
             alternative: None,
             other: None,
@@ -268,7 +284,8 @@ impl<'a: 's, 's> Assessor<'a, 's> {
     /// A part from the store, or computed and stored.
     ///
     /// # Errors
-    /// A motion that cannot be generated, a folder that cannot be written, or a stop.
+    /// A motion that cannot be generated, a folder that cannot be written, or a stop before any object of the part
+    /// had a world.
     pub fn part(
         &mut self,
         store: &Store,
@@ -278,51 +295,61 @@ impl<'a: 's, 's> Assessor<'a, 's> {
     ) -> Result<Assessed, Problems> {
         let is_complete = self.keep.outcomes.is_none() || store.has_outcomes(part);
         let stored = store.read(part, items.iter().map(|item| item.id.as_str()));
-        if let Some(found) = stored.filter(|_| is_complete) {
-            return Ok(Assessed {
-                found,
-                is_stored: true,
-            });
+        let stored = stored.filter(|_| is_complete);
+        self.watch.begin(items, stored.is_some());
+        if let Some(found) = stored {
+            self.watch.end(items);
+            let state = PartState::Stored;
+            return Ok(Assessed { found, state });
         }
         let context = match &mut self.context {
             Some(context) => context,
             empty => {
                 let worlds = shake(self.study, self.keep.motions, progress)?;
                 self.worlds = Some(worlds.at_intensity(1.0));
-                empty.insert(Context::new(
-                    self.study,
-                    worlds,
-                    self.total,
-                    self.wants_to_stop,
-                ))
+                let context = Context::new(self.study, worlds, self.total, self.wants_to_stop);
+                empty.insert(context.watched(self.watch))
             }
         };
-        let (mut found, rows) = assess_part(context, items, self.keep.outcomes)?;
+        let earlier = store.lived(part);
+        let of_part = assess_part(context, items, earlier.as_deref(), self.keep.outcomes)?;
+        let Grouped {
+            mut found,
+            rows,
+            lived,
+        } = of_part;
+        if let Some(rows) = rows {
+            store.write_outcomes(part, &rows)?;
+        }
+        if let Some(lived) = lived {
+            store.write_stopped(part, &found, &lived)?;
+            let state = PartState::Stopped;
+            return Ok(Assessed { found, state });
+        }
         if let Some(study) = self.alternative {
             let other = match &mut self.other {
                 Some(context) => context,
                 // Their motions are not kept: those of the first spectrum have the same names.
-                empty => empty.insert(Context::new(
-                    study,
-                    shake(study, None, progress)?,
-                    self.total,
-                    self.wants_to_stop,
-                )),
+                empty => {
+                    let worlds = shake(study, None, progress)?;
+                    let context = Context::new(study, worlds, self.total, self.wants_to_stop);
+                    empty.insert(context.watched(self.watch))
+                }
             };
-            let (by_other, _) = assess_part(other, items, None)?;
-            let triples = items.iter().zip(found).zip(by_other);
+            let by_other = assess_part(other, items, None, None)?;
+            if by_other.lived.is_some() {
+                // The worlds of two spectra are not kept: the part is repeated.
+                return Err(Problem::stopped().into());
+            }
+            let triples = items.iter().zip(found).zip(by_other.found);
             found = triples
                 .map(|((item, one), by_other)| worse(item, study, one, by_other))
                 .collect();
         }
-        if let Some(rows) = rows {
-            store.write_outcomes(part, &rows)?;
-        }
         store.write(part, &found)?;
-        Ok(Assessed {
-            found,
-            is_stored: false,
-        })
+        self.watch.end(items);
+        let state = PartState::Computed;
+        Ok(Assessed { found, state })
     }
 }
 
@@ -335,11 +362,7 @@ pub fn shake<'a>(
     motions: Option<&Path>,
     progress: Progress,
 ) -> Result<Worlds<'a>, Problems> {
-    let go_on = || match progress(Step {
-        stage: Some(Stage::GroundMotions),
-        done: 0,
-        total: 0,
-    }) {
+    let go_on = || match progress(Step::new(Stage::GroundMotions, 0, 0)) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
@@ -354,8 +377,9 @@ pub fn shake<'a>(
 fn assess_part(
     context: &Context,
     items: &[Item],
+    earlier: Option<&[u8]>,
     outcomes: Option<WriteOutcomes>,
-) -> Result<(Vec<Assessment>, Option<Vec<u8>>), Problems> {
+) -> Result<Grouped, Problems> {
     let settings = &context.study.assessment;
     let mut found: Vec<Option<Assessment>> = vec![None; items.len()];
     let (mut places, mut members) = (Vec::new(), Vec::new());
@@ -392,11 +416,14 @@ fn assess_part(
             }
         }
     }
-    let (assessed, rows) = assess_group(context, &members, outcomes)?;
-    for (place, assessed) in places.into_iter().zip(assessed) {
+    let grouped = assess_group(context, &members, earlier, outcomes)?;
+    for (place, assessed) in places.into_iter().zip(grouped.found) {
         found[place] = Some(assessed);
     }
-    Ok((found.into_iter().flatten().collect(), rows))
+    Ok(Grouped {
+        found: found.into_iter().flatten().collect(),
+        ..grouped
+    })
 }
 
 impl<'a> Portfolio<'a> {
@@ -438,10 +465,9 @@ impl<'a> Portfolio<'a> {
                 .get(part.rows.clone())
                 .unwrap_or_default();
             let ranks = self.ranks.get(part.rows.clone()).unwrap_or_default();
-            let found = self
-                .store
-                .read(part, items.iter().map(|item| item.id.as_str()));
-            match found {
+            let ids = || items.iter().map(|item| item.id.as_str());
+            let found = self.store.read(part, ids());
+            match found.or_else(|| self.store.read_stopped(part, ids())) {
                 Some(found) => {
                     let rows = items.iter().zip(found).zip(ranks);
                     rows.map(|((item, found), rank)| {

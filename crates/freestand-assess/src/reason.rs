@@ -76,6 +76,11 @@ pub enum Reason {
     BeforeWall,
     /// The other spectrum of the national annex decides, by its type.
     Spectrum(u8),
+    /// The run was stopped before its worlds sufficed.
+    Stopped {
+        /// The worlds that it lived through.
+        worlds: u32,
+    },
 }
 
 /// What is not known of an object.

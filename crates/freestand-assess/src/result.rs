@@ -60,6 +60,8 @@ pub enum FallsAnswer {
     Falls,
     /// It is too close to the accepted one.
     Close,
+    /// The run was stopped before its worlds sufficed.
+    Open,
 }
 
 /// Whether a shock exceeds the tolerance of an object.
@@ -73,6 +75,8 @@ pub enum ShockAnswer {
     Exceeded,
     /// It is too close to the accepted one.
     Close,
+    /// The run was stopped before its worlds sufficed.
+    Open,
     /// Data are missing.
     Unknown,
 }
@@ -125,6 +129,15 @@ impl FewMotions {
         needed
             .is_none_or(|needed| motions < needed)
             .then_some(Self { motions, needed })
+    }
+}
+
+impl Assessment {
+    /// Whether the run was stopped before its worlds sufficed.
+    pub fn was_stopped(&self) -> bool {
+        self.why
+            .iter()
+            .any(|reason| matches!(reason, Reason::Stopped { .. }))
     }
 }
 

@@ -27,17 +27,12 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
-/// Most objects of a part: what a killed run loses.
-const PART: usize = 256;
+/// Most objects of a part: what a killed run loses. The objects of a part share the motions of their floors, and
+/// stand side by side in the kernels.
+const PART: usize = 512;
 
 /// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
 const SLOW_PART: usize = 4;
-
-/// Parts of a short list, which a killed run is not to lose as a whole either.
-const PARTS: usize = 16;
-
-/// Objects that make a part worth its files.
-const LEAST: usize = 8;
 
 /// Objects of a part of an inventory.
 pub fn part_size(study: &Study, inventory: &Inventory) -> usize {
@@ -46,11 +41,7 @@ pub fn part_size(study: &Study, inventory: &Inventory) -> usize {
             .items
             .iter()
             .any(|item| item.surroundings.upper.is_some());
-    if is_slow {
-        SLOW_PART
-    } else {
-        (inventory.items.len() / PARTS).clamp(LEAST, PART)
-    }
+    if is_slow { SLOW_PART } else { PART }
 }
 
 /// Rows of an inventory that are assessed and stored together.
@@ -88,6 +79,16 @@ impl Part {
     /// The file with its results.
     pub fn results_name(&self) -> String {
         format!("{}.jsonl", self.name)
+    }
+
+    /// The file with its results so far, where the run was stopped before they were complete.
+    fn stopped_name(&self) -> String {
+        format!("{}.stopped", self.name)
+    }
+
+    /// The file with the worlds of its objects, likewise.
+    fn lived_name(&self) -> String {
+        format!("{}.lived", self.name)
     }
 
     /// The file with its outcomes.
@@ -159,9 +160,10 @@ impl Store {
 
     /// The names of the files of a run in these parts.
     pub fn names(parts: &[Part]) -> impl Iterator<Item = String> + '_ {
-        let of_parts = parts
-            .iter()
-            .flat_map(|part| [part.results_name(), part.outcomes_name()]);
+        let of_parts = parts.iter().flat_map(|part| {
+            let (results, outcomes) = (part.results_name(), part.outcomes_name());
+            [results, outcomes, part.stopped_name(), part.lived_name()]
+        });
         [LOCK, PLAN].map(str::to_owned).into_iter().chain(of_parts)
     }
 
@@ -181,7 +183,41 @@ impl Store {
 
     /// Stores a part, which is then complete or absent.
     pub fn write<T: Serialize>(&self, part: &Part, found: &[T]) -> Result<(), Problem> {
-        let path = self.folder.join(part.results_name());
+        self.write_lines(&part.results_name(), found)?;
+        for name in [part.stopped_name(), part.lived_name()] {
+            let path = self.folder.join(name);
+            match fs::remove_file(&path) {
+                Err(error) if error.kind() != io::ErrorKind::NotFound => {
+                    return Err(io_problem(
+                        &path,
+                        "cannot remove a file of an earlier run",
+                        &error,
+                    ));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Stores what is known of a part that was stopped, and the worlds that a later run goes on from.
+    pub(crate) fn write_stopped(
+        &self,
+        part: &Part,
+        found: &[Assessment],
+        lived: &[u8],
+    ) -> Result<(), Problem> {
+        self.write_lines(&part.stopped_name(), found)?;
+        write_file(&self.folder.join(part.lived_name()), lived, &[])
+    }
+
+    /// The worlds of a part that was stopped; `None`: it was not.
+    pub(crate) fn lived(&self, part: &Part) -> Option<Vec<u8>> {
+        fs::read(self.folder.join(part.lived_name())).ok()
+    }
+
+    fn write_lines<T: Serialize>(&self, name: &str, found: &[T]) -> Result<(), Problem> {
+        let path = self.folder.join(name);
         let mut lines = Vec::new();
         for one in found {
             serde_json::to_writer(&mut lines, one).map_err(|error| {
@@ -227,15 +263,25 @@ impl Store {
         part: &Part,
         ids: impl ExactSizeIterator<Item = &'a str>,
     ) -> Option<Vec<Assessment>> {
-        let found: Vec<Assessment> = self.rows(part)?;
-        Some(found).filter(|found| {
-            found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id)
-        })
+        of_these(self.rows(part)?, ids)
+    }
+
+    /// What is known of a part that was stopped; `None` as for [`Store::read`].
+    pub(crate) fn read_stopped<'a>(
+        &self,
+        part: &Part,
+        ids: impl ExactSizeIterator<Item = &'a str>,
+    ) -> Option<Vec<Assessment>> {
+        of_these(self.lines(&part.stopped_name())?, ids)
     }
 
     /// The rows of a stored part; `None` if the part is absent or a row cannot be read.
     pub fn rows<T: DeserializeOwned>(&self, part: &Part) -> Option<Vec<T>> {
-        let file = fs::File::open(self.folder.join(part.results_name())).ok()?;
+        self.lines(&part.results_name())
+    }
+
+    fn lines<T: DeserializeOwned>(&self, name: &str) -> Option<Vec<T>> {
+        let file = fs::File::open(self.folder.join(name)).ok()?;
         let lines = BufReader::new(file).lines();
         lines
             .map(|line| serde_json::from_str(&line.ok()?).ok())
@@ -243,11 +289,19 @@ impl Store {
     }
 }
 
+fn of_these<'a>(
+    found: Vec<Assessment>,
+    ids: impl ExactSizeIterator<Item = &'a str>,
+) -> Option<Vec<Assessment>> {
+    let is_of_these =
+        found.len() == ids.len() && found.iter().zip(ids).all(|(one, id)| one.id == id);
+    is_of_these.then_some(found)
+}
+
 fn is_ours(name: &str) -> bool {
-    let number = name
-        .strip_suffix(".jsonl")
-        .or(name.strip_suffix(".csv"))
-        .unwrap_or("");
+    let endings = [".jsonl", ".csv", ".stopped", ".lived"].into_iter();
+    let mut numbers = endings.filter_map(|ending| name.strip_suffix(ending));
+    let number = numbers.next().unwrap_or("");
     name == PLAN || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 

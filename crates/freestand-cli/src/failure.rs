@@ -37,7 +37,9 @@ impl Left {
             Self::Printed => {
                 "the printed output is incomplete; no file was written, and earlier results are unchanged"
             }
-            Self::Written => "what was finished was written; continue with --resume",
+            Self::Written => {
+                "what is known so far was written, and every world is kept; continue with --resume"
+            }
             Self::Runs => "the finished runs are kept; continue with --resume",
             Self::Parts => {
                 "the finished parts of the shard are kept; the same command continues it"

@@ -142,10 +142,19 @@ impl Printer {
     /// A progress bar on standard error. It is hidden if no terminal shows it, or if rows that are
     /// `printed` to the same terminal would break it up.
     pub(crate) fn progress_bar(&self, printed: bool) -> ProgressBar {
+        self.bar(printed, "{msg:20} [{bar:40}] {pos}/{len} {eta}")
+    }
+
+    /// The same for work that tells the share of its effort: its message has the numbers.
+    pub(crate) fn effort_bar(&self) -> ProgressBar {
+        self.bar(false, "[{bar:40}] {msg}")
+    }
+
+    fn bar(&self, printed: bool, template: &str) -> ProgressBar {
         if self.quiet || !io::stderr().is_terminal() || (printed && io::stdout().is_terminal()) {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{msg:20} [{bar:40}] {pos}/{len} {eta}");
+        let style = ProgressStyle::with_template(template);
         ProgressBar::new(0).with_style(
             style
                 .unwrap_or_else(|_| ProgressStyle::default_bar())

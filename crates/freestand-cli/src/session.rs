@@ -10,6 +10,7 @@ use std::fmt::Debug;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use freestand_assess::one_object::{Follow, Memory};
+use freestand_study::run::Step;
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -50,12 +51,15 @@ pub(crate) struct Session {
 
 /// What a command tells while it works.
 pub(crate) enum Told {
-    /// So much is done of a phase.
+    /// So much is done of a phase, and this share of the effort.
     Progress {
         phase: &'static str,
         done: usize,
         total: usize,
+        share: f64,
     },
+    /// What the worlds of an object say so far.
+    Estimate(Value),
     /// A finished object.
     Object(Value),
     /// A problem that does not end the work.
@@ -193,8 +197,20 @@ impl Session {
     }
 
     /// Tells how much is done, and gives way to others.
-    pub(crate) fn progress(&self, phase: &'static str, done: usize, total: usize) {
-        (self.tell)(Told::Progress { phase, done, total });
+    pub(crate) fn progress(&self, phase: &'static str, step: Step) {
+        (self.tell)(Told::Progress {
+            phase,
+            done: step.done,
+            total: step.total,
+            share: step.share(),
+        });
+    }
+
+    /// Tells what the worlds of an object say so far.
+    pub(crate) fn estimate<T: Serialize>(&self, estimate: &T) {
+        if let Ok(estimate) = serde_json::to_value(estimate) {
+            (self.tell)(Told::Estimate(estimate));
+        }
     }
 
     /// Tells a finished object.

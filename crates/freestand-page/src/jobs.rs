@@ -33,27 +33,36 @@ pub struct Events {
 }
 
 impl Events {
-    /// How much is done of a phase.
-    pub fn progress(&self, phase: &str, done: usize, total: usize) {
+    /// How much is done of a phase, and which share of the effort.
+    pub fn progress(&self, phase: &str, done: usize, total: usize, share: f64) {
         let Some(job) = &self.job else { return };
         let mut told = job.told.lock().unwrap_or_else(PoisonError::into_inner);
         let is_new = told.phase != phase || done >= total;
         if !is_new && told.at.is_some_and(|at| at.elapsed() < BETWEEN_PROGRESS) {
             return;
         }
-        if told.phase == phase && told.done == Some(done) {
+        // A thousandth is less than a pixel of the bar.
+        let done_and_share = (done, (1e3 * share) as u64);
+        if told.phase == phase && told.done == Some(done_and_share) {
             return;
         }
         *told = Told {
             phase: phase.to_owned(),
             at: Some(Instant::now()),
-            done: Some(done),
+            done: Some(done_and_share),
         };
         drop(told);
         job.push(
             "progress",
-            &json!({"done": done, "total": total, "phase": phase}),
+            &json!({"done": done, "total": total, "phase": phase, "share": share}),
         );
+    }
+
+    /// What is known of an object that is not finished.
+    pub fn estimate(&self, row: &Value) {
+        if let Some(job) = &self.job {
+            job.push("estimate", row);
+        }
     }
 
     /// A finished object.
@@ -103,7 +112,8 @@ impl Drop for Entered {
 struct Told {
     phase: String,
     at: Option<Instant>,
-    done: Option<usize>,
+    /// The number, and the thousandths of the effort.
+    done: Option<(usize, u64)>,
 }
 
 /// One job with everything that it has told.
@@ -190,7 +200,7 @@ impl Job {
             .lock()
             .unwrap_or_else(PoisonError::into_inner)
             .done
-            .unwrap_or(0)
+            .map_or(0, |(done, _)| done)
     }
 
     /// Whether a file may be downloaded.

@@ -130,7 +130,7 @@ fn fake(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, Re
                         ..Reply::default()
                     });
                 }
-                events.progress("waiting", step, steps);
+                events.progress("waiting", step, steps, step as f64 / steps as f64);
                 std::thread::sleep(Duration::from_millis(10));
             }
             events.object(&json!({"id": "one"}));

@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand_app::assess::{Assess, SCHEMA};
 use freestand_app::check_list::{CheckList, SCHEMA as CHECK};
-use freestand_app::job::{Beside, Job, Spending, assess_telling};
+use freestand_app::job::{self, Beside, Job, Spending, assess_telling};
 use freestand_app::request::Question as _;
 use freestand_app::run::Run;
 use freestand_input::keys::KeyStyle;
@@ -85,7 +85,15 @@ pub(crate) fn assess(
             spending: budget.as_ref().map(Spending::Planned),
             earlier: meant.earlier()?,
         };
-        let report = assess_telling(&study, &inventory, &out, &job, beside, None, &progress)?;
+        let report = assess_telling(
+            &study,
+            &inventory,
+            &out,
+            &job,
+            beside,
+            job::Told::default(),
+            &progress,
+        )?;
         let mut text = rows_head(SCHEMA)?;
         let mut separator = "";
         object_rows(&out, &inventory, |row| {

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use freestand::measures::cumulative_trapezoid;
+use freestand::measures::{cumulative_trapezoid, longest};
 use freestand::motion::{Motion, MotionError};
 
 use crate::write::{write_csv, write_pair_csv};
@@ -49,7 +49,7 @@ impl HorizontalMotion {
         let along = velocity(&self.along);
         match self.across.as_ref().map(velocity) {
             None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
-            Some(across) => longest(along.iter().zip(&across)),
+            Some(across) => longest(&along, &across),
         }
     }
 
@@ -66,21 +66,7 @@ impl HorizontalMotion {
     pub fn peak_m_s2(&self) -> f64 {
         match &self.across {
             None => self.along.peak_m_s2(),
-            Some(across) => longest(self.along.accel_m_s2().iter().zip(across.accel_m_s2())),
+            Some(across) => longest(self.along.accel_m_s2(), across.accel_m_s2()),
         }
     }
-}
-
-/// The length of the longest vector: squares are compared, because a root for each sample takes long.
-fn longest<'a>(vectors: impl Iterator<Item = (&'a f64, &'a f64)>) -> f64 {
-    let square = |(a, b): (f64, f64)| a * a + b * b;
-    let longer = |most, next| {
-        if square(next) > square(most) {
-            next
-        } else {
-            most
-        }
-    };
-    let (a, b) = vectors.map(|(a, b)| (*a, *b)).fold((0.0, 0.0), longer);
-    a.hypot(b)
 }

@@ -2,6 +2,8 @@
 
 use thiserror::Error;
 
+use crate::vector::largest;
+
 /// Base acceleration against time: equally spaced samples, linear between them; the first sample is
 /// at t = 0.
 ///
@@ -96,9 +98,7 @@ impl Motion {
 
     /// Largest absolute sample (PGA of a ground motion, PFA of a floor motion) \[m/s²\].
     pub fn peak_m_s2(&self) -> f64 {
-        self.accel_m_s2
-            .iter()
-            .fold(0.0, |peak: f64, a| peak.max(a.abs()))
+        largest(&self.accel_m_s2, f64::abs).max(0.0)
     }
 
     /// Mean of the samples, `Σ aₖ/n`: the zero line of a record that swings evenly about

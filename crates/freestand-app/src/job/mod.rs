@@ -16,7 +16,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
 use freestand_assess::key::resume_key;
-use freestand_assess::portfolio::{Keep, Portfolio, TellObject, assess, progress_names, shake};
+use freestand_assess::portfolio::{
+    Keep, Portfolio, Tell, TellEstimates, assess, progress_names, shake,
+};
 use freestand_assess::result::{Assessment, Decision};
 use freestand_assess::store::{PROGRESS, Part, Store, part_size};
 use freestand_input::file::InputFile;
@@ -59,6 +61,15 @@ const OUTPUTS: [&str; 11] = [
 /// that among the objects which were told before it.
 pub type TellRow<'a> = &'a dyn Fn(&Map<String, Value>);
 
+/// What is told of objects while a job runs.
+#[derive(Clone, Copy, Default)]
+pub struct Told<'a> {
+    /// Each one when it is finished.
+    pub rows: Option<TellRow<'a>>,
+    /// What their worlds say so far, after each look at them.
+    pub estimates: Option<TellEstimates<'a>>,
+}
+
 /// Settings of a job.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Job {
@@ -70,9 +81,6 @@ pub struct Job {
     pub parquet: bool,
     /// Write `outcomes.csv` too: every object in every world.
     pub outcomes: bool,
-    /// Objects that are assessed and stored together, and lost where a run is stopped amid them, if
-    /// fewer than usual. Somebody who watches wants few.
-    pub part_rows: Option<usize>,
 }
 
 /// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the
@@ -99,7 +107,7 @@ pub fn assess_into(
         target,
         job,
         Beside::default(),
-        None,
+        Told::default(),
         progress,
     )
 }
@@ -141,13 +149,10 @@ pub fn assess_telling(
     target: &Path,
     job: &Job,
     beside: Beside<'_>,
-    tell: Option<TellRow>,
+    tell: Told,
     progress: Progress,
 ) -> Result<JobReport, Problems> {
-    let size = job.part_rows.map_or_else(
-        || part_size(study, inventory),
-        |rows| rows.clamp(1, part_size(study, inventory)),
-    );
+    let size = part_size(study, inventory);
     let key = resume_key(study, inventory, size);
     let head = head(study, inventory);
     if job.resume
@@ -163,13 +168,16 @@ pub fn assess_telling(
     let budget = beside.spending.map(Spending::budget);
     let folder = staged(study, inventory, target, job, budget)?;
     let store = Store::open(&target.join(PROGRESS), &key, job.resume)?;
-    let rows = tell.map(|tell| (JsonRows::new(inventory), tell));
+    let rows = tell.rows.map(|tell| (JsonRows::new(inventory), tell));
     let told = |item: &Item, rank: usize, found: &Assessment| {
         if let Some((rows, tell)) = &rows {
             tell(&rows.row(item, rank, found));
         }
     };
-    let told: Option<TellObject> = rows.is_some().then_some(&told);
+    let told = Tell {
+        objects: rows.is_some().then_some(&told),
+        estimates: tell.estimates,
+    };
     let keep = Keep {
         outcomes: job.outcomes.then_some(outcomes_rows),
         motions: None,
@@ -354,11 +362,7 @@ fn worlds_into(
         None => shake(study, motions, progress)?,
     };
     let total = lived.worlds as usize;
-    let go_on = |done: u32| match progress(Step {
-        stage: Some(Stage::FloorMotions),
-        done: done as usize,
-        total,
-    }) {
+    let go_on = |done: u32| match progress(Step::new(Stage::FloorMotions, done as usize, total)) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped().into()),
     };
@@ -383,6 +387,8 @@ fn report(
         objects: inventory.items.len(),
         resumed: portfolio.resumed,
         computed: portfolio.computed,
+        unsettled: portfolio.unsettled,
+        worlds: portfolio.lived.worlds as usize,
         interrupted: portfolio.interrupted,
         decisions: ByName(
             Decision::ALL
@@ -436,6 +442,7 @@ fn manifest(
         "complete": !report.interrupted,
         "objects": report.objects,
         "assessed": report.resumed + report.computed,
+        "worlds": report.worlds,
         "decisions": report.decisions,
         "tiers": report.tiers,
         "failed": report.failed,
@@ -499,6 +506,8 @@ fn finished(
         objects: inventory.items.len(),
         resumed: inventory.items.len(),
         computed: 0,
+        unsettled: 0,
+        worlds: serde_json::from_value(manifest.get("worlds")?.clone()).ok()?,
         interrupted: false,
         decisions: ByName(decisions?),
         tiers: serde_json::from_value(manifest.get("tiers")?.clone()).ok()?,

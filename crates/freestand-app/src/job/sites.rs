@@ -14,7 +14,7 @@ use freestand_study::run::Progress;
 use freestand_study::study::Study;
 use serde_json::json;
 
-use super::{Beside, Job, Spending, assess_telling};
+use super::{Beside, Job, Spending, Told, assess_telling};
 use crate::sites::Site;
 
 /// Schema of the document of several sites.
@@ -98,7 +98,7 @@ pub fn assess_sites(
             into,
             job,
             beside,
-            None,
+            Told::default(),
             progress,
         )?;
         if report.interrupted {

@@ -35,7 +35,10 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let [rigid, compliant] =
         [Model::Rigid, Model::Pads].map(|one| trial.asks(context, one).then(|| model(one)));
     let too_mild = too_mild(trial);
-    let falls = FallsAnswer::of(trial.side(context, Question::Falls), too_mild);
+    let falls = match FallsAnswer::of(trial.side(context, Question::Falls), too_mild) {
+        FallsAnswer::Close if !trial.is_settled() => FallsAnswer::Open,
+        falls => falls,
+    };
     let capacity = trial.subject.capacity.as_ref();
     let shock_side = capacity.map(|_| trial.side(context, Question::Shock));
     let is_above = |p: crate::result::Probability| p.value > accepted;
@@ -48,7 +51,10 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
     let restitutions = || trial.lived.iter().map(|one| one.draw.restitution[0]);
     Answers {
         falls,
-        shock: ShockAnswer::of(shock_side, is_known),
+        shock: match ShockAnswer::of(shock_side, is_known) {
+            ShockAnswer::Close if !trial.is_settled() => ShockAnswer::Open,
+            shock => shock,
+        },
         asks_shock: trial.member.asks_shock,
         models_agree,
         worlds: trial.worlds(),

@@ -9,7 +9,8 @@ use freestand_study::study::assessment::WallUse;
 use super::Context;
 use super::draw::Change;
 use super::object::{Model, Way};
-use super::trial::{Question, Trial, grouped, lived_in};
+use super::response::Lived;
+use super::trial::{Life, Question, Trial, live_again};
 
 /// Touching, and about the depth of a skirting board with what hangs down behind an object \[m\].
 const GAPS_M: [f64; 2] = [0.0, 0.05];
@@ -26,28 +27,32 @@ pub(super) fn before_walls(
         .zip(assessed)
         .enumerate()
         .filter(|(_, (trial, found))| is_wanted(context, trial, found));
-    let wanting = wanting.map(|(place, (trial, _))| (trial.worlds(), place));
-    for (worlds, places) in grouped(wanting) {
-        let tried: Vec<Trial> = places
-            .iter()
-            .flat_map(|&place| before(context, &trials[place]))
-            .collect();
-        let lived = lived_in(
-            context,
-            0..worlds,
-            &tried.iter().collect::<Vec<_>>(),
-            Change::None,
-        )?;
-        let mut falls = tried.into_iter().zip(lived).map(|(mut tried, lived)| {
-            tried.lived = lived;
-            tried.probability(context, Question::Falls, Model::Rigid)
-        });
-        for place in places {
-            found[place] = falls
-                .next()
-                .zip(falls.next())
-                .map(|(touching, at_50_mm)| BeforeWall { touching, at_50_mm });
-        }
+    let places: Vec<usize> = wanting.map(|(place, _)| place).collect();
+    let mut tried: Vec<Trial> = places
+        .iter()
+        .flat_map(|&place| before(context, &trials[place]))
+        .collect();
+    let worlds = places
+        .iter()
+        .flat_map(|&place| [trials[place].worlds(); GAPS_M.len()]);
+    let lives = tried.iter().zip(worlds).map(|(trial, worlds)| Life {
+        trial,
+        worlds,
+        change: Change::None,
+    });
+    let lives: Vec<Life> = lives.collect();
+    let mut lived: Vec<Vec<Lived>> = lives.iter().map(|_| Vec::new()).collect();
+    live_again(context, &lives, |place, more| lived[place].extend(more))?;
+    drop(lives);
+    let mut falls = tried.iter_mut().zip(lived).map(|(tried, lived)| {
+        tried.lived = lived;
+        tried.probability(context, Question::Falls, Model::Rigid)
+    });
+    for place in places {
+        found[place] = falls
+            .next()
+            .zip(falls.next())
+            .map(|(touching, at_50_mm)| BeforeWall { touching, at_50_mm });
     }
     Ok(found)
 }

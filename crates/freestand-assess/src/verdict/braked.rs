@@ -15,15 +15,10 @@ use super::trial::{Question, Trial, live};
 /// Of each trial; `None`: it rocks, it has room enough, or it falls all the same.
 pub(super) fn braked(context: &Context, trials: &[Trial]) -> Result<Vec<Option<Braked>>, Problems> {
     let mut found: Vec<Option<Braked>> = trials.iter().map(|_| None).collect();
-    let is_wanted = |trial: &Trial| {
-        trial.member.item.shape == ItemShape::Block
-            && !has_room(context, trial)
-            && trial.side(context, Question::Falls) == Side::Below
-    };
     let places: Vec<usize> = trials
         .iter()
         .enumerate()
-        .filter(|(_, trial)| is_wanted(trial))
+        .filter(|(_, trial)| is_wanted(context, trial))
         .map(|(place, _)| place)
         .collect();
     let locked = |place: &usize| {
@@ -47,6 +42,13 @@ pub(super) fn braked(context: &Context, trials: &[Trial]) -> Result<Vec<Option<B
         });
     }
     Ok(found)
+}
+
+/// It stays and has too little room.
+pub(super) fn is_wanted(context: &Context, trial: &Trial) -> bool {
+    trial.member.item.shape == ItemShape::Block
+        && !has_room(context, trial)
+        && trial.side(context, Question::Falls) == Side::Below
 }
 
 /// Whether an object goes farther than it has room too rarely to matter; one that rocks needs none.

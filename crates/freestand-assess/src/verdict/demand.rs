@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use crate::capacity::Capacity;
 use crate::result::Criterion;
 use freestand_inventory::library::Tolerance;
+use serde::{Deserialize, Serialize};
 
 /// The half-sine of one landing.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,7 +23,7 @@ pub(super) struct Demand {
 ///
 /// The acceleration is that of a peak, or A/A_c of a damage boundary, whose other leg Δv/V_c caps
 /// it. The spectrum is that of the pulse that the object withstands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Terms {
     pub(super) acceleration: f64,
     pub(super) velocity_change: f64,

@@ -13,6 +13,7 @@ use freestand::worlds::{
     Group, WallDraw, is_first_side_along_x, object_stream, restitution_at, restitution_draw,
     wall_cushion_at, wall_draw, wall_restitution_at,
 };
+use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use freestand_study::study::assessment::{Settings, Spread};
@@ -23,7 +24,7 @@ use super::object::{AxisGeometry, Subject, Way};
 const MEASURED_DAMPING_SPREAD: f64 = 0.2;
 
 /// The values of an object in one world.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Draw {
     /// Whether its thickness lies along x; if not, it lies along y.
     pub(super) is_thickness_along_x: bool,
@@ -52,7 +53,7 @@ pub(super) struct Draw {
 }
 
 /// How a body on its hull stands, and how it touches the floor.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct HullDraw {
     /// Its friction is that of the draw.
     pub(super) contact: Contact,
@@ -140,6 +141,14 @@ pub(super) enum Change {
 }
 
 impl Change {
+    /// What of it changes the motions of floors.
+    pub(super) fn of_floors(self) -> Self {
+        match self {
+            Self::Again(Group::Motion | Group::Building) | Self::At(Group::Building, _) => self,
+            Self::None | Self::Again(_) | Self::At(..) => Self::None,
+        }
+    }
+
     fn repetition(self, group: Group) -> u32 {
         u32::from(self == Self::Again(group))
     }

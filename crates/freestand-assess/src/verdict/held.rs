@@ -26,9 +26,9 @@ use super::object::{Model, Subject, Way};
 use super::over_worlds::quantile;
 use super::per_year::{INTENSITIES, WORLDS};
 use super::respond::responses;
-use super::response::{Lost, RigidResponse};
+use super::response::{Lived, Lost, RigidResponse};
 use super::slip::slips;
-use super::trial::{HULL_WORLDS, Question, Trial, answer, floors, grouped, live, lived_in};
+use super::trial::{HULL_WORLDS, Life, Question, Trial, answer, floors, grouped, live, live_again};
 use super::{Context, Member};
 
 /// How a restraint holds an object, and how strong it is.
@@ -141,14 +141,7 @@ pub fn restrained<'a>(
     is_annual: bool,
     progress: Progress,
 ) -> Result<Vec<Option<Restrained>>, Problems> {
-    let wants_to_stop = || {
-        let step = Step {
-            stage: None,
-            done: 0,
-            total: 0,
-        };
-        progress(step).is_break()
-    };
+    let wants_to_stop = || progress(Step::asks()).is_break();
     let context = Context::new(study, worlds, wanted.len(), &wants_to_stop);
     let members: Vec<Option<Member>> = wanted.iter().map(|one| one.member(study)).collect();
     let mut cases: Vec<Case> = Vec::new();
@@ -174,12 +167,7 @@ pub fn restrained<'a>(
             .map(|(place, case)| (case.trial.subject.level_ratio.to_bits(), place)),
     );
     for (_, places) in levels {
-        let step = Step {
-            stage: Some(Stage::Objects),
-            done,
-            total,
-        };
-        if progress(step).is_break() {
+        if progress(Step::new(Stage::Objects, done, total)).is_break() {
             return Err(Problem::stopped().into());
         }
         done += places.len();
@@ -286,20 +274,24 @@ fn worlds_of(trial: &Trial, most: u32) -> u32 {
 /// The share of worlds in which each object falls, by the model with the larger one.
 fn falls_at(shaken: &Context, trials: &[&Trial]) -> Result<Vec<f64>, Problems> {
     let mut shares = vec![0.0; trials.len()];
-    let worlds = trials.iter().map(|trial| worlds_of(trial, WORLDS));
-    for (worlds, places) in grouped(worlds.zip(0..)) {
-        shaken.go_on()?;
-        let together: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
-        let lived = lived_in(shaken, 0..worlds, &together, Change::None)?;
-        for ((place, trial), lived) in places.into_iter().zip(together).zip(lived) {
-            let by_model = trial.models(shaken).map(|model| {
-                let fallen = lived.iter().filter(|one| {
-                    answer(&trial.subject, one, Question::Falls, model) == Some(Some(true))
-                });
-                fallen.count() as f64 / f64::from(worlds)
+    let lives: Vec<Life> = trials
+        .iter()
+        .map(|trial| Life {
+            trial,
+            worlds: worlds_of(trial, WORLDS),
+            change: Change::None,
+        })
+        .collect();
+    let mut lived: Vec<Vec<Lived>> = trials.iter().map(|_| Vec::new()).collect();
+    live_again(shaken, &lives, |place, more| lived[place].extend(more))?;
+    for ((share, life), lived) in shares.iter_mut().zip(&lives).zip(lived) {
+        let by_model = life.trial.models(shaken).map(|model| {
+            let fallen = lived.iter().filter(|one| {
+                answer(&life.trial.subject, one, Question::Falls, model) == Some(Some(true))
             });
-            shares[place] = by_model.fold(0.0, f64::max);
-        }
+            fallen.count() as f64 / f64::from(life.worlds)
+        });
+        *share = by_model.fold(0.0, f64::max);
     }
     Ok(shares)
 }

@@ -7,6 +7,7 @@
 //! too hard for it (`decision`); a softer pad is accepted where it would be left alone on it
 //! (`softer`).
 
+mod ahead;
 mod answers;
 mod assessment;
 mod before_wall;
@@ -17,6 +18,7 @@ mod demand;
 mod draw;
 mod followed;
 mod held;
+mod kept;
 mod nominal;
 mod notes;
 mod object;
@@ -32,6 +34,7 @@ mod softer;
 mod stiff_floor;
 mod tally;
 mod trial;
+mod watch;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -39,7 +42,7 @@ use rayon::prelude::*;
 
 use crate::accepted::accepted;
 use crate::reason::Reason;
-use crate::result::{Assessment, Decision};
+use crate::result::{Assessment, Decision, FallsAnswer};
 use crate::worlds::Worlds;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_inventory::{Consequences, Item, Rating};
@@ -58,6 +61,7 @@ pub use object::{HULL_FRICTION_RATIO, middle};
 pub(crate) use object::{Subject, round_body};
 pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub use tally::Tally;
+pub use watch::{Estimate, TellEstimates, Watch, usual_effort};
 
 /// What all objects share.
 pub(crate) struct Context<'a> {
@@ -66,6 +70,8 @@ pub(crate) struct Context<'a> {
     /// Whether it is calculated what the answers depend on.
     wants_shares: bool,
     wants_to_stop: &'a (dyn Fn() -> bool + Sync),
+    /// `None`: nobody is told how far it has come.
+    watch: Option<&'a Watch<'a>>,
     histories: AtomicU64,
 }
 
@@ -91,7 +97,16 @@ impl<'a> Context<'a> {
             worlds,
             wants_shares,
             wants_to_stop,
+            watch: None,
             histories: AtomicU64::new(0),
+        }
+    }
+
+    /// The same for a run that somebody watches.
+    pub(crate) fn watched(self, watch: &'a Watch<'a>) -> Self {
+        Self {
+            watch: Some(watch),
+            ..self
         }
     }
 
@@ -104,6 +119,13 @@ impl<'a> Context<'a> {
     fn count(&self, histories: usize) {
         self.histories
             .fetch_add(histories as u64, Ordering::Relaxed);
+    }
+
+    /// Counts effort, for those who watch.
+    fn add(&self, effort: u64) {
+        if let Some(watch) = self.watch {
+            watch.add(effort);
+        }
     }
 
     /// An error where the run is to stop.
@@ -154,18 +176,75 @@ fn asks_shock(item: &Item, of_study: Option<Questions>) -> bool {
     }
 }
 
-/// The assessments of some objects, in their order, and what happened to them in every world as `outcomes`
-/// writes it.
+/// Some objects after their worlds, in their order.
+pub(crate) struct Grouped {
+    /// The assessments.
+    pub(crate) found: Vec<Assessment>,
+    /// What happened to them in every world, as `outcomes` writes it.
+    pub(crate) rows: Option<Vec<u8>>,
+    /// The worlds that they lived through, where the run was stopped before the end.
+    pub(crate) lived: Option<Vec<u8>>,
+}
+
+/// Assesses some objects, from the worlds on that an `earlier` run lived through. Where the run is stopped, what is
+/// known so far stays.
 pub(crate) fn assess_group(
     context: &Context,
     members: &[Member],
+    earlier: Option<&[u8]>,
     outcomes: Option<WriteOutcomes>,
-) -> Result<(Vec<Assessment>, Option<Vec<u8>>), Problems> {
-    let trials = lived(context, members)?;
+) -> Result<Grouped, Problems> {
+    let mut trials = trials(context, members);
+    if let Some(earlier) = earlier {
+        kept::resume(context, &mut trials, earlier);
+    }
+    let done = lived(context, &mut trials).and_then(|()| assessed(context, &trials));
+    let (found, lived) = match done {
+        Err(error) if error.is_stopped() => {
+            let so_far = trials.par_iter().map(|trial| so_far(context, trial));
+            let found: Vec<Result<Assessment, Problems>> = so_far.collect();
+            (
+                found.into_iter().collect::<Result<_, _>>()?,
+                Some(kept::worlds(&trials)?),
+            )
+        }
+        done => (done?, None),
+    };
     let rows = outcomes
         .map(|write| write(&mut trials.iter().flat_map(outcomes::outcomes)))
         .transpose()?;
-    Ok((assessed(context, &trials)?, rows))
+    Ok(Grouped { found, rows, lived })
+}
+
+/// What is known of an object where the run is stopped: its verdict only where nothing that was not calculated could
+/// change it.
+fn so_far(context: &Context, trial: &Trial) -> Result<Assessment, Problems> {
+    let stopped = Reason::Stopped {
+        worlds: trial.worlds(),
+    };
+    if trial.lived.is_empty() {
+        return Ok(Assessment {
+            why: vec![stopped],
+            ..blank(trial.member.item, &context.study.assessment)
+        });
+    }
+    let mut found = assessment::assessment(context, trial, (None, None))?;
+    let stays = found
+        .answers
+        .as_ref()
+        .is_some_and(|answers| answers.falls == FallsAnswer::Stays);
+    let may_change = stays
+        && (softer::is_wanted(context, trial)
+            || braked::is_wanted(context, trial)
+            || stiff_floor::is_wanted(context, trial));
+    if may_change || !trial.is_settled() {
+        found.decision = Decision::NoVerdict;
+        let of_answers = |why: &Reason| matches!(why, Reason::Falling { .. } | Reason::Shock(_));
+        found.why.retain(of_answers);
+        found.why.insert(0, stopped);
+        found.restraint = Vec::new();
+    }
+    Ok(found)
 }
 
 /// The assessment of one object, the same as in a list, with what its worlds add up to, and some of
@@ -175,7 +254,8 @@ pub(crate) fn assess_one(
     member: &Member,
     follow: Option<&Follow>,
 ) -> Result<(Assessment, Tally, Option<Shown>), Problems> {
-    let trials = lived(context, std::slice::from_ref(member))?;
+    let mut trials = trials(context, std::slice::from_ref(member));
+    lived(context, &mut trials)?;
     let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
     let trial = trials.first().ok_or_else(nothing)?;
     let tally = tally::tally(context, trial);
@@ -190,15 +270,18 @@ pub(crate) fn assess_one(
     ))
 }
 
-/// Objects in as many worlds as their questions need.
-fn lived<'a>(context: &Context, members: &'a [Member<'a>]) -> Result<Vec<Trial<'a>>, Problems> {
-    let mut trials: Vec<Trial> = members
+/// Objects before their first world.
+fn trials<'a>(context: &Context, members: &'a [Member<'a>]) -> Vec<Trial<'a>> {
+    members
         .iter()
         .map(|member| Trial::new(context, member, member.subject.clone()))
-        .collect();
-    trial::live(context, &mut trials)?;
-    stiff_floor::check(context, &mut trials)?;
-    Ok(trials)
+        .collect()
+}
+
+/// Objects in as many worlds as their questions need.
+fn lived(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
+    trial::live_telling(context, trials, &|trials| ahead::tell(context, trials))?;
+    stiff_floor::check(context, trials)
 }
 
 fn assessed(context: &Context, trials: &[Trial]) -> Result<Vec<Assessment>, Problems> {

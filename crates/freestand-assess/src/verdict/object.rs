@@ -22,6 +22,7 @@ use freestand_study::study::assessment::{Dimensions, Settings, WallUse};
 use crate::reason::{Flat, Missing, unknown};
 use crate::result::{Axis, TooMild};
 use freestand_inventory::{Casters, Item, ItemShape, Surroundings, UpperBody};
+use serde::{Deserialize, Serialize};
 
 use crate::capacity::Capacity;
 
@@ -702,7 +703,7 @@ fn flat(item: &Item, axes: &[AxisGeometry], beside: Option<Beside>) -> Option<Fl
 }
 
 /// The hardest landing of a history, from either source and on either edge.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Hit {
     pub(super) uplift_g: f64,
     pub(super) impact_velocity_g: f64,

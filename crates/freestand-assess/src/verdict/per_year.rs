@@ -9,7 +9,7 @@ use super::Context;
 use super::draw::Change;
 use super::object::Model;
 use super::response::Lived;
-use super::trial::{Question, Trial, answer, lived_in};
+use super::trial::{Life, Question, Trial, answer, live_again};
 
 /// Worlds at each intensity.
 pub(super) const WORLDS: u32 = 160;
@@ -88,7 +88,14 @@ fn shake(
     context.go_on()?;
     let shaken = context.at_intensity(intensity_ratio);
     let chosen: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
-    let lived = lived_in(&shaken, 0..WORLDS, &chosen, Change::None)?;
+    let lives = chosen.iter().map(|&trial| Life {
+        trial,
+        worlds: WORLDS,
+        change: Change::None,
+    });
+    let lives: Vec<Life> = lives.collect();
+    let mut lived: Vec<Vec<Lived>> = lives.iter().map(|_| Vec::new()).collect();
+    live_again(&shaken, &lives, |place, more| lived[place].extend(more))?;
     context.count(usize::try_from(shaken.histories()).unwrap_or(0));
     for ((&place, trial), lived) in places.iter().zip(chosen).zip(&lived) {
         let level = |question| {
@@ -139,6 +146,7 @@ impl<'a> Context<'a> {
             worlds: self.worlds.at_intensity(ratio),
             wants_shares: false,
             wants_to_stop: self.wants_to_stop,
+            watch: self.watch,
             histories: Default::default(),
         }
     }

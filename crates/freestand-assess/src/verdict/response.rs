@@ -13,9 +13,10 @@ use super::demand::{Demand, Terms};
 use super::draw::{Draw, Drawn};
 use super::object::{Gliding, Hit, Model, Subject, hit};
 use crate::capacity::Capacity;
+use serde::{Deserialize, Serialize};
 
 /// One axis on a rigid base, or rolling or sliding.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct AxisMotion {
     pub(super) moved: Moved,
     /// `None`: demand or capacity is not known.
@@ -23,7 +24,7 @@ pub(super) struct AxisMotion {
 }
 
 /// What an object does about one axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Moved {
     /// It stands on its edges, and may rock.
     Rocks {
@@ -140,7 +141,7 @@ impl AxisMotion {
 }
 
 /// The hardest impact on a wall.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct Strike {
     /// v_w \[m/s\].
     speed_m_s: f64,
@@ -189,7 +190,7 @@ impl Strike {
 }
 
 /// One axis on its pads, or the whole body.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub(super) struct PadMotion {
     pub(super) found: PadSummary,
     /// The shock of an edge, with the factor of the world \[m/s²\].
@@ -203,7 +204,7 @@ pub(super) struct PadMotion {
 }
 
 /// Why it is not known what an object does.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) enum Lost {
     /// The floor falls away, and the object flies.
     Flight(String),
@@ -244,7 +245,7 @@ impl From<RespondError> for Lost {
 }
 
 /// What one model says of an object.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct ModelResponse<A> {
     /// How it ended.
     pub(super) outcome: Outcome,
@@ -259,7 +260,7 @@ pub(super) type RigidResponse = Result<ModelResponse<AxisMotion>, Lost>;
 pub(super) type PadResponse = Result<ModelResponse<PadMotion>, Lost>;
 
 /// An object in one world.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Lived {
     pub(super) draw: Draw,
     /// `None`: the model is not asked.

@@ -7,9 +7,7 @@ use freestand_input::problem::Problems;
 
 use super::Context;
 use super::draw::Change;
-use super::object::Model;
-use super::response::Lived;
-use super::trial::{Question, Trial, answer, grouped, lived_in};
+use super::trial::{Life, Trial, has_event, live_again};
 
 /// Fewest worlds with the event, and without it, from which a share says anything.
 const FEWEST: usize = 10;
@@ -52,36 +50,57 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
         .filter(|(_, trial)| is_asked(context, trial))
         .filter_map(|(place, trial)| Asked::new(place, trial))
         .collect();
+    let mut wanted: Vec<(usize, Cause, Change)> = Vec::new();
     for cause in Cause::ALL {
-        let wants = |one: &Asked| one.wants_shares && is_varied(context, one.trial, cause);
-        for (place, again) in events(context, &asked, wants, Change::Again(cause.group()))? {
-            let one = &mut asked[place];
-            let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(again).collect();
-            one.by_group
-                .push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
+        let changes = [
+            (true, Change::Again(cause.group())),
+            (false, Change::At(cause.group(), -NORMAL_90)),
+            (false, Change::At(cause.group(), NORMAL_90)),
+        ];
+        for (place, one) in asked.iter().enumerate() {
+            let is_varied = is_varied(context, one.trial, cause);
+            let is_near = one.is_near && MEASURED.contains(&cause);
+            let wants =
+                |is_share: bool| is_varied && if is_share { one.wants_shares } else { is_near };
+            let changes = changes.iter().filter(|(is_share, _)| wants(*is_share));
+            wanted.extend(changes.map(|(_, change)| (place, cause, *change)));
         }
     }
-    for cause in MEASURED {
-        let wants = |one: &Asked| one.is_near && is_varied(context, one.trial, cause);
-        let low = events(
-            context,
-            &asked,
-            wants,
-            Change::At(cause.group(), -NORMAL_90),
-        )?;
-        let high = events(context, &asked, wants, Change::At(cause.group(), NORMAL_90))?;
-        for ((place, low), (_, high)) in low.into_iter().zip(high) {
-            let one = &mut asked[place];
-            let [low, high] = [low, high].map(|events| share(&events));
-            let accepted = one.trial.member.accepted_ratio;
-            let crosses = (low > accepted) != (high > accepted);
-            // The widest first.
-            if crosses
-                && one
-                    .measure_first
-                    .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
-            {
-                one.measure_first = Some((cause, low, high));
+    let life = |&(place, _, change): &(usize, Cause, Change)| Life {
+        trial: asked[place].trial,
+        worlds: u32::try_from(asked[place].own.len()).unwrap_or(u32::MAX),
+        change,
+    };
+    let lives: Vec<Life> = wanted.iter().map(life).collect();
+    let mut events: Vec<Vec<bool>> = wanted.iter().map(|_| Vec::new()).collect();
+    live_again(context, &lives, |place, lived| {
+        let trial = lives[place].trial;
+        events[place].extend(lived.iter().map(|one| has_event(trial, one)));
+    })?;
+    drop(lives);
+    // The two ends of a group follow each other.
+    let mut low = None;
+    for ((place, cause, change), events) in wanted.into_iter().zip(events) {
+        let one = &mut asked[place];
+        match change {
+            Change::At(_, normal) if normal < 0.0 => low = Some(share(&events)),
+            Change::At(..) => {
+                let (low, high) = (low.take().unwrap_or_default(), share(&events));
+                let accepted = one.trial.member.accepted_ratio;
+                let crosses = (low > accepted) != (high > accepted);
+                // The widest first.
+                if crosses
+                    && one
+                        .measure_first
+                        .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
+                {
+                    one.measure_first = Some((cause, low, high));
+                }
+            }
+            Change::Again(_) | Change::None => {
+                let pairs: Vec<(bool, bool)> = one.own.iter().copied().zip(events).collect();
+                one.by_group
+                    .push((cause, jansen_share(&pairs).map(|share| share.total_ratio)));
             }
         }
     }
@@ -121,8 +140,8 @@ impl<'a> Asked<'a> {
             .iter()
             .map(|lived| has_event(trial, lived))
             .collect();
+        let accepted = trial.member.accepted_ratio;
         let hits = own.iter().filter(|hit| **hit).count();
-        let (p, accepted) = (share(&own), trial.member.accepted_ratio);
         // With friction a history takes too long for so many changes.
         let slips = trial
             .lived
@@ -131,8 +150,8 @@ impl<'a> Asked<'a> {
         (hits > 0 && !slips).then_some(Self {
             place,
             trial,
-            wants_shares: hits >= FEWEST && worlds - hits >= FEWEST,
-            is_near: p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted,
+            wants_shares: has_both(hits, worlds),
+            is_near: is_near(share(&own), accepted),
             own,
             by_group: Vec::new(),
             measure_first: None,
@@ -140,37 +159,27 @@ impl<'a> Asked<'a> {
     }
 }
 
-fn share(events: &[bool]) -> f64 {
-    events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
+/// Whether there are enough worlds with the event and without it.
+fn has_both(hits: usize, worlds: usize) -> bool {
+    hits >= FEWEST && worlds - hits >= FEWEST
 }
 
-/// The events of those that want a change, with their places in `asked`.
-fn events(
-    context: &Context,
-    asked: &[Asked],
-    wants: impl Fn(&Asked) -> bool,
-    change: Change,
-) -> Result<Vec<(usize, Vec<bool>)>, Problems> {
-    let wanting = asked
-        .iter()
-        .enumerate()
-        .filter(|(_, one)| wants(one))
-        .map(|(place, one)| (one.own.len(), place));
-    let mut found = Vec::new();
-    for (worlds, places) in grouped(wanting) {
-        let trials: Vec<&Trial> = places.iter().map(|&place| asked[place].trial).collect();
-        let range = 0..u32::try_from(worlds).unwrap_or(u32::MAX);
-        let lived = lived_in(context, range, &trials, change)?;
-        for (place, lived) in places.into_iter().zip(lived) {
-            let trial = asked[place].trial;
-            found.push((
-                place,
-                lived.iter().map(|one| has_event(trial, one)).collect(),
-            ));
-        }
-    }
-    found.sort_by_key(|(place, _)| *place);
-    Ok(found)
+/// Whether the probability may lie on the other side of the accepted one where one group is known.
+fn is_near(p: f64, accepted: f64) -> bool {
+    p * NEAR_FACTOR > accepted && p < NEAR_FACTOR * accepted
+}
+
+/// How many changes are tried, and in how many worlds, of an object that has the event with this probability.
+pub(super) fn changes(p: f64, accepted: f64, worlds: usize) -> (usize, usize) {
+    let worlds = worlds.min(MAX_WORLDS);
+    let hits = (p * worlds as f64).round() as usize;
+    let of_shares = Cause::ALL.len() * usize::from(has_both(hits, worlds));
+    let at_ends = 2 * MEASURED.len() * usize::from(hits > 0 && is_near(p, accepted));
+    (of_shares + at_ends, worlds)
+}
+
+fn share(events: &[bool]) -> f64 {
+    events.iter().filter(|hit| **hit).count() as f64 / events.len().max(1) as f64
 }
 
 /// Histories that take long are repeated only where the study says so.
@@ -186,17 +195,4 @@ fn is_varied(context: &Context, trial: &Trial, cause: Cause) -> bool {
     cause != Cause::Pad
         || trial.subject.body.is_some()
         || friction.is_some_and(|(low, high)| low < high)
-}
-
-/// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
-fn has_event(trial: &Trial, lived: &Lived) -> bool {
-    let question = if trial.is_open(Question::Shock) {
-        Question::Shock
-    } else {
-        Question::Falls
-    };
-    let models = [Model::Rigid, Model::Pads].into_iter();
-    models
-        .filter_map(|model| answer(&trial.subject, lived, question, model)?)
-        .any(|yes| yes)
 }

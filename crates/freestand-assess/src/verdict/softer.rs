@@ -85,7 +85,7 @@ pub(super) fn softer(
 
 /// A softer pad is looked for where the shock alone is too hard or too close to call, and depends
 /// on a pad that is a spring.
-fn is_wanted(context: &Context, trial: &Trial) -> bool {
+pub(super) fn is_wanted(context: &Context, trial: &Trial) -> bool {
     let Some(capacity) = &trial.subject.capacity else {
         return false;
     };

@@ -9,11 +9,19 @@ use crate::result::TooMild;
 use super::Context;
 use super::trial::{Question, Trial, live};
 
+/// It stays by its planar calculation, and touches a wall.
+pub(super) fn is_wanted(context: &Context, trial: &Trial) -> bool {
+    stays(context, trial) && trial.subject.on_stiff_floor(trial.member.item).is_some()
+}
+
+fn stays(context: &Context, trial: &Trial) -> bool {
+    trial.side(context, Question::Falls) == Side::Below
+}
+
 /// Marks the objects that would stay by their planar calculation, but not for certain on a stiff floor.
 pub(super) fn check(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
-    let stays = |trial: &Trial| trial.side(context, Question::Falls) == Side::Below;
     let again = |(place, trial): (usize, &Trial)| {
-        if !stays(trial) {
+        if !stays(context, trial) {
             return None;
         }
         Some((place, trial.subject.on_stiff_floor(trial.member.item)?))
@@ -29,7 +37,7 @@ pub(super) fn check(context: &Context, trials: &mut [Trial]) -> Result<(), Probl
         .unzip();
     live(context, &mut tried)?;
     for (place, tried) in places.into_iter().zip(tried) {
-        if !stays(&tried) {
+        if !stays(context, &tried) {
             trials[place].subject.too_mild = Some(TooMild::TouchesWall);
         }
     }

@@ -22,6 +22,7 @@ use super::response::{
     pads_demand_capacity,
 };
 use super::slip::slips;
+use super::watch::{ALONE, FLOOR, GROUND, ON_PADS};
 use super::{Context, Member};
 
 /// Worlds in which pads with a curved contact law are followed: they take the solver for any law.
@@ -42,6 +43,9 @@ pub(super) const HULL_WORLDS: u32 = 80;
 /// alone then makes the difference.
 const SAME_SHAKING_CORRELATION: f64 = 0.75;
 
+/// Histories of objects on pads between two looks whether to stop: a second of two cores.
+const ON_PADS_AT_ONCE: usize = 1024;
+
 /// What is asked of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Question {
@@ -57,7 +61,7 @@ pub(super) struct Trial<'a> {
     pub(super) subject: Subject,
     looks: Vec<u32>,
     pub(super) lived: Vec<Lived>,
-    is_done: bool,
+    pub(super) is_done: bool,
 }
 
 impl<'a> Trial<'a> {
@@ -271,6 +275,29 @@ impl<'a> Trial<'a> {
         question == Question::Falls || self.member.asks_shock && self.subject.capacity.is_some()
     }
 
+    /// The worlds that an earlier run lived through.
+    pub(super) fn resume(&mut self, context: &Context, lived: Vec<Lived>) {
+        self.lived = lived;
+        // Between two looks no interval is read.
+        if self.looks.contains(&self.worlds()) {
+            self.settle(context);
+        }
+    }
+
+    /// Whether more worlds would change nothing.
+    pub(super) fn is_settled(&self) -> bool {
+        self.next().is_none()
+    }
+
+    /// The looks that may follow.
+    pub(super) fn looks_ahead(&self) -> impl Iterator<Item = u32> {
+        let worlds = self.worlds();
+        self.looks
+            .iter()
+            .copied()
+            .filter(move |look| *look > worlds)
+    }
+
     fn settle(&mut self, context: &Context) {
         let falls = self.side(context, Question::Falls);
         let shock =
@@ -360,8 +387,31 @@ pub(super) fn answer(
     Some(ratio.map(|ratio| ratio > 1.0).or_else(floor_alone))
 }
 
-/// Adds worlds until every trial is settled or has reached its cap.
+/// Whether it falls or exceeds its tolerance by any model, as far as that is asked.
+pub(super) fn has_event(trial: &Trial, lived: &Lived) -> bool {
+    let question = if trial.is_open(Question::Shock) {
+        Question::Shock
+    } else {
+        Question::Falls
+    };
+    let models = [Model::Rigid, Model::Pads].into_iter();
+    models
+        .filter_map(|model| answer(&trial.subject, lived, question, model)?)
+        .any(|yes| yes)
+}
+
+/// Adds worlds until every trial is settled or has reached its cap. What was lived stays in the trials
+/// where the run is stopped.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
+    live_telling(context, trials, &|_| ())
+}
+
+/// The same; `tell` is called after each look.
+pub(super) fn live_telling(
+    context: &Context,
+    trials: &mut [Trial],
+    tell: &dyn Fn(&[Trial]),
+) -> Result<(), Problems> {
     loop {
         let next = trials
             .iter()
@@ -372,16 +422,29 @@ pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Proble
             return Ok(());
         }
         for (range, places) in groups {
-            let together: Vec<&Trial> = places.iter().map(|&place| &trials[place]).collect();
-            let more = lived_in(context, range, &together, Change::None)?;
-            for (place, more) in places.into_iter().zip(more) {
-                trials[place].lived.extend(more);
-            }
+            let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
+            let levels = grouped(places.iter().map(level));
+            each_floor(
+                context,
+                range,
+                &levels,
+                Change::None,
+                |on_floor, worlds, floors| {
+                    let together: Vec<&Trial> =
+                        on_floor.iter().map(|&place| &trials[place]).collect();
+                    let more = lived_on_floor(context, worlds, &together, floors, Change::None)?;
+                    for (&place, more) in on_floor.iter().zip(more) {
+                        trials[place].lived.extend(more);
+                    }
+                    Ok(())
+                },
+            )?;
         }
         trials
             .par_iter_mut()
             .filter(|trial| !trial.is_done)
             .for_each(|trial| trial.settle(context));
+        tell(trials);
     }
 }
 
@@ -403,46 +466,84 @@ pub(super) fn grouped<K: PartialEq>(
 /// 45 s.
 const MAX_HELD: usize = 1024;
 
-/// Objects in some worlds, `[object][world]`.
-pub(super) fn lived_in(
+/// Worlds that are lived through together: a run that is stopped loses those that it is in, on one floor.
+const BLOCK: usize = 40;
+
+/// An object that lives through its first worlds, as they are or with a change.
+pub(super) struct Life<'t, 'a> {
+    pub(super) trial: &'t Trial<'a>,
+    pub(super) worlds: u32,
+    pub(super) change: Change,
+}
+
+/// Objects in their first worlds; `tell` is called with the place of each and the worlds that come next for
+/// it, in their order. Floors are calculated once for all that move in the same way.
+pub(super) fn live_again(
+    context: &Context,
+    lives: &[Life],
+    mut tell: impl FnMut(usize, Vec<Lived>),
+) -> Result<(), Problems> {
+    let by_floors = lives.iter().enumerate();
+    let by_floors = grouped(by_floors.map(|(place, life)| (life.change.of_floors(), place)));
+    for (of_floors, places) in by_floors {
+        let level = |&place: &usize| (lives[place].trial.subject.level_ratio.to_bits(), place);
+        let levels = grouped(places.iter().map(level));
+        let most = places.iter().map(|&place| lives[place].worlds).max();
+        let range = 0..most.unwrap_or(0);
+        each_floor(
+            context,
+            range,
+            &levels,
+            of_floors,
+            |on_floor, block, floors| {
+                let here = on_floor
+                    .iter()
+                    .filter(|&&place| lives[place].worlds > block.start);
+                let alike = here.map(|&place| {
+                    let life = &lives[place];
+                    ((life.change, life.worlds.min(block.end)), place)
+                });
+                for ((change, end), places) in grouped(alike) {
+                    let together: Vec<&Trial> =
+                        places.iter().map(|&place| lives[place].trial).collect();
+                    let worlds = block.start..end;
+                    let floors = &floors[..worlds.len()];
+                    let more = lived_on_floor(context, worlds, &together, floors, change)?;
+                    places
+                        .into_iter()
+                        .zip(more)
+                        .for_each(|(place, more)| tell(place, more));
+                }
+                Ok(())
+            },
+        )?;
+    }
+    Ok(())
+}
+
+/// Lives through some worlds block by block, and in each floor by floor, with the places of the objects on
+/// each.
+fn each_floor(
     context: &Context,
     range: Range<u32>,
-    trials: &[&Trial],
+    levels: &[(u64, Vec<usize>)],
     change: Change,
-) -> Result<Vec<Vec<Lived>>, Problems> {
-    let levels = grouped(
-        trials
-            .iter()
-            .enumerate()
-            .map(|(place, trial)| (trial.subject.level_ratio.to_bits(), place)),
-    );
+    mut live: impl FnMut(&[usize], Range<u32>, &[Arc<FloorOfWorld>]) -> Result<(), Problems>,
+) -> Result<(), Problems> {
     let levels_ratio: Vec<f64> = levels
         .iter()
         .map(|(bits, _)| f64::from_bits(*bits))
         .collect();
-    let mut lived: Vec<Vec<Lived>> = trials
-        .iter()
-        .map(|_| Vec::with_capacity(range.len()))
-        .collect();
-    let block = (MAX_HELD / levels.len().max(1)).max(1);
+    let block = (MAX_HELD / levels.len().max(1)).clamp(1, BLOCK);
     for from in range.clone().step_by(block) {
-        let block = from..range.end.min(from + block as u32);
-        let floors = floors(context, &levels_ratio, block.clone(), change)?;
+        let worlds = from..range.end.min(from + block as u32);
+        let floors = floors(context, &levels_ratio, worlds.clone(), change)?;
         for ((_, places), floors) in levels.iter().zip(floors) {
             context.go_on()?;
-            let on_floor: Vec<&Trial> = places.iter().map(|&place| trials[place]).collect();
-            for (&place, more) in places.iter().zip(lived_on_floor(
-                context,
-                block.clone(),
-                &on_floor,
-                &floors,
-                change,
-            )?) {
-                lived[place].extend(more);
-            }
+            live(places, worlds.clone(), &floors)?;
         }
     }
-    Ok(lived)
+    Ok(())
 }
 
 /// Objects on one floor in some worlds, `[object][world]`.
@@ -482,40 +583,57 @@ fn lived_on_floor(
                 .collect()
         })
         .collect();
+    let alone = |one: &&&Trial| matches!(one.subject.way, Way::Hull(..));
+    let planes = |trial: &&Trial| trial.subject.axes.len() as u64;
+    let effort = trials
+        .iter()
+        .filter(|one| !alone(one))
+        .map(planes)
+        .sum::<u64>()
+        + ALONE * trials.iter().filter(alone).count() as u64;
+    context.add(effort * range.len() as u64);
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
-    // On pads the worlds that were lived through stay as they are.
-    let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
-    let is_asked = |trial: &Trial| trial.asks(context, Model::Pads) && !is_known(trial);
-    let mut pads =
-        pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?.into_iter();
-    let mut slipped = slipped_in_worlds(context, trials, &slips, &draws, floors)?;
-    let lived = trials.iter().enumerate().map(|(place, trial)| {
-        let worlds = rigid.iter_mut().zip(&draws).zip(floors).enumerate();
-        let mut own_pads = match is_known(trial) {
-            true => trial.lived[range.start as usize..range.end as usize]
-                .iter()
-                .map(|one| one.pads.clone())
-                .collect(),
-            false if is_asked(trial) => pads.next().unwrap_or_default(),
-            false => Vec::new(),
-        }
-        .into_iter();
-        let one = worlds.map(|(world, ((rigid, draws), floor))| {
-            let without_slip = own_pads.next().flatten();
-            Lived {
-                draw: draws[place],
-                rigid: rigid
-                    .next()
-                    .unwrap_or_else(|| Some(Err(Lost::no_history()))),
-                pads: slipped.remove(&(place, world)).or(without_slip),
-                slips: slips[world][place],
-                pfa_m_s2: floor.pfa_m_s2,
-                pfv_m_s: floor.pfv_m_s,
-            }
+    let of_object = |place: usize| {
+        let worlds = rigid.iter_mut().zip(&draws).zip(floors).zip(&slips);
+        let one = worlds.map(|(((rigid, draws), floor), slips)| Lived {
+            draw: draws[place],
+            rigid: rigid
+                .next()
+                .unwrap_or_else(|| Some(Err(Lost::no_history()))),
+            pads: None,
+            slips: slips[place],
+            pfa_m_s2: floor.pfa_m_s2,
+            pfv_m_s: floor.pfv_m_s,
         });
         one.collect()
-    });
-    Ok(lived.collect())
+    };
+    let mut lived: Vec<Vec<Lived>> = (0..trials.len()).map(of_object).collect();
+    // On pads the worlds that were lived through stay as they are.
+    let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
+    for (trial, lived) in trials
+        .iter()
+        .zip(&mut lived)
+        .filter(|(one, _)| is_known(one))
+    {
+        let before = &trial.lived[range.start as usize..range.end as usize];
+        for (now, before) in lived.iter_mut().zip(before) {
+            now.pads.clone_from(&before.pads);
+        }
+    }
+    let is_asked = |place: usize, world: usize| {
+        let (trial, lived) = (trials[place], &lived[place][world]);
+        // Where a group is drawn again, all that counts is whether any model has the event.
+        let is_enough = change != Change::None && !lived.slips && has_event(trial, lived);
+        trial.asks(context, Model::Pads) && !is_known(trial) && !is_enough
+    };
+    let on_pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?;
+    for ((place, world), response) in on_pads {
+        lived[place][world].pads = response;
+    }
+    for ((place, world), response) in slipped_in_worlds(context, trials, &slips, &draws, floors)? {
+        lived[place][world].pads = Some(response);
+    }
+    Ok(lived)
 }
 
 /// The histories with friction of the objects that slide while they rock, by the places of the object
@@ -567,9 +685,12 @@ pub(super) fn floors(
     let building = change
         .normal(Group::Building)
         .map(|normal| context.worlds.building_at(normal));
-    context
+    let worlds = range.len() as u64;
+    let found = context
         .worlds
-        .floors(range, levels_ratio, again, building, || context.go_on())
+        .floors(range, levels_ratio, again, building, || context.go_on())?;
+    context.add(worlds * (GROUND + FLOOR * levels_ratio.len() as u64));
+    Ok(found)
 }
 
 fn rigid_in_world(
@@ -606,28 +727,29 @@ fn rigid_in_world(
 /// The number of a world, an object with its values there, and its floor.
 type Job<'a> = (u32, Drawn<'a>, &'a FloorOfWorld);
 
-/// Of each object whose pads are asked, its response in each world; `None` where its contact law is
-/// curved and enough worlds were followed.
+/// By the places of the objects and of the worlds that are asked, the responses on pads; `None` where the
+/// contact law is curved and enough worlds were followed.
 fn pads_in_worlds(
     context: &Context,
     trials: &[&Trial],
-    is_asked: impl Fn(&Trial) -> bool,
+    is_asked: impl Fn(usize, usize) -> bool,
     draws: &[Vec<Draw>],
     floors: &[Arc<FloorOfWorld>],
     first: u32,
-) -> Result<Vec<Vec<Option<PadResponse>>>, Problems> {
+) -> Result<Vec<((usize, usize), Option<PadResponse>)>, Problems> {
     // The worlds of one object stand side by side in the kernel: they resemble each other.
+    let mut keys: Vec<(usize, usize)> = Vec::new();
     let mut jobs: Vec<Job> = Vec::new();
-    let asked = trials.iter().enumerate().filter(|(_, one)| is_asked(one));
-    let mut count = 0;
-    for (place, trial) in asked {
-        count += 1;
+    for (place, trial) in trials.iter().enumerate() {
         let subject = &trial.subject;
-        let worlds = (first..).zip(draws).zip(floors);
-        jobs.extend(worlds.map(|((world, draws), floor)| {
-            let draw = &draws[place];
-            (world, Drawn { subject, draw }, &**floor)
-        }));
+        let worlds = (first..).zip(draws).zip(floors).enumerate();
+        for (index, ((world, draws), floor)) in worlds {
+            if is_asked(place, index) {
+                let draw = &draws[place];
+                keys.push((place, index));
+                jobs.push((world, Drawn { subject, draw }, &**floor));
+            }
+        }
     }
     let objects: Vec<_> = jobs.par_iter().map(|job| job.1.on_pads(None)).collect();
     let (sprung, others): (Vec<_>, Vec<_>) = jobs
@@ -636,21 +758,31 @@ fn pads_in_worlds(
         .enumerate()
         .partition(|(_, (_, object))| matches!(object, Ok(Object::Springs(_))));
     let mut found: Vec<Option<PadResponse>> = vec![None; jobs.len()];
-    context.go_on()?;
     let (places, sprung): (Vec<usize>, Vec<_>) = sprung
         .into_iter()
         .map(|(place, (job, object))| (place, object.map(|object| (object, job.2.shaking()))))
         .unzip();
     let histories = |place: &usize| jobs[*place].1.subject.axes.len();
-    context.count(places.iter().map(histories).sum());
-    for (place, response) in places.into_iter().zip(responses(sprung)) {
-        let (_, one, floor) = jobs[place];
-        found[place] = Some(one.pad_response(floor, response));
+    let mut sprung = sprung.into_iter();
+    for (chunk, places) in places.chunks(ON_PADS_AT_ONCE).enumerate() {
+        // What can be finished within a second is not thrown away.
+        if chunk > 0 {
+            context.go_on()?;
+        }
+        let histories = places.iter().map(histories).sum();
+        context.count(histories);
+        let answered = responses(sprung.by_ref().take(places.len()));
+        for (&place, response) in places.iter().zip(answered) {
+            let (_, one, floor) = jobs[place];
+            found[place] = Some(one.pad_response(floor, response));
+        }
+        context.add(ON_PADS * histories as u64);
     }
     let one_by_one = |(place, (job, object)): (usize, (&Job, _))| -> Result<_, Problems> {
         let &(world, one, floor) = job;
         if one.subject.way.is_slow() {
             context.count(1);
+            context.add(ALONE);
             // Each takes long enough to stop between them.
             context.go_on()?;
         } else if world >= CURVED_WORLDS {
@@ -667,9 +799,7 @@ fn pads_in_worlds(
     for (place, response) in others? {
         found[place] = response;
     }
-    let mut found = found.into_iter();
-    let of_object = |_| found.by_ref().take(floors.len()).collect();
-    Ok((0..count).map(of_object).collect())
+    Ok(keys.into_iter().zip(found).collect())
 }
 
 impl Context<'_> {

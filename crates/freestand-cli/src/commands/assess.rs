@@ -2,17 +2,23 @@
 
 use std::path::Path;
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
-use freestand_app::job::{Beside, Job, Spending, TellRow, assess_telling};
+use freestand_app::job::{Beside, Job, Spending, TellRow, Told, assess_telling};
+use freestand_assess::portfolio::{Estimate, usual_effort};
 use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problems;
 use freestand_inventory::{Inventory, problem_reports};
 use freestand_output::folder::removed_note;
 use freestand_output::json::document;
 use freestand_output::streamed::{rows_head, rows_tail};
-use freestand_report::assessment::{JobReport, assessment_text, object_rows};
+use freestand_report::assessment::{
+    EstimateRow, JobReport, assessment_text, first_estimates, object_rows, time_left, usual_time,
+};
 use freestand_study::run::{Progress, Step};
+use indicatif::ProgressBar;
 use serde_json::{Map, Value};
 
 use super::{Done, Tell, assess_sites};
@@ -26,14 +32,6 @@ use crate::printer::Printer;
 pub(crate) struct AssessArgs {
     #[command(flatten)]
     pub(super) request: Assess,
-}
-
-/// Objects of a part while a user watches the page: one by one in a list that is read as it comes,
-/// more where each part would cost more than what it tells.
-fn watched_rows(rows: usize) -> usize {
-    const PARTS: usize = 128;
-    const MOST_ROWS: usize = 32;
-    (rows / PARTS).clamp(1, MOST_ROWS)
 }
 
 /// The folder where no `--out` is given.
@@ -58,12 +56,8 @@ impl Tell for Assess {
         let budget = meant.budget(&inventory)?;
         let earlier = meant.earlier()?;
         let out = global.folder(FOLDER);
-        let part_rows = printer
-            .session()
-            .map(|_| watched_rows(inventory.items.len()));
         let job = Job {
             force: global.force,
-            part_rows,
             ..meant.job
         };
         if let Some(session) = printer.session() {
@@ -78,10 +72,30 @@ impl Tell for Assess {
                 .for_each(|session| session.object(row))
         };
         let finished: Option<TellRow> = printer.session().is_some().then_some(&told);
-        let report = watched(printer, |progress| {
+        let bar = printer.effort_bar();
+        if !bar.is_hidden() {
+            let effort = usual_effort(&study.assessment, &inventory.items);
+            bar.println(usual_time(effort, rayon::current_num_threads()));
+        }
+        // Printed once: what follows is the bar's.
+        let is_first = AtomicBool::new(true);
+        let estimates = |estimates: &[Estimate]| {
+            if let Some(session) = printer.session() {
+                for one in estimates {
+                    session.estimate(&EstimateRow::new(one));
+                }
+            } else if is_first.swap(false, Ordering::Relaxed) && !bar.is_hidden() {
+                bar.println(first_estimates(estimates));
+            }
+        };
+        let tell = Told {
+            rows: finished,
+            estimates: Some(&estimates),
+        };
+        let report = watched_on(&bar, printer, |progress| {
             let spending = budget.as_ref().map(Spending::Planned);
             let beside = Beside { spending, earlier };
-            assess_telling(&study, &inventory, &out, &job, beside, finished, progress)
+            assess_telling(&study, &inventory, &out, &job, beside, tell, progress)
         })?;
         print(&report, &out, &inventory, printer)?;
         if report.interrupted {
@@ -100,15 +114,30 @@ pub(crate) fn watched<T>(
     printer: &Printer,
     work: impl FnOnce(Progress) -> Result<T, Problems>,
 ) -> Result<T, Problems> {
+    watched_on(&printer.effort_bar(), printer, work)
+}
+
+/// The length of a bar that shows the share of the effort.
+const BAR: u64 = 1000;
+
+fn watched_on<T>(
+    bar: &ProgressBar,
+    printer: &Printer,
+    work: impl FnOnce(Progress) -> Result<T, Problems>,
+) -> Result<T, Problems> {
     let stop = printer.stop();
-    let bar = printer.progress_bar(false);
+    bar.set_length(BAR);
     let progress = |step: Step| {
         if let Some(stage) = step.stage {
-            bar.set_length(step.total as u64);
-            bar.set_position(step.done as u64);
-            bar.set_message(stage.name());
+            bar.set_position((BAR as f64 * step.share()) as u64);
+            let left = time_left(step.share(), bar.elapsed().as_secs_f64());
+            let left = left.map_or_else(String::new, |left| format!(", {left}"));
+            bar.set_message(match step.total {
+                0 => stage.name().to_owned(),
+                total => format!("{}: {} of {total}{left}", stage.name(), step.done),
+            });
             if let Some(session) = printer.session() {
-                session.progress(stage.name(), step.done, step.total);
+                session.progress(stage.name(), step);
             }
         }
         stop.flow()
@@ -174,16 +203,4 @@ fn print_json(
     })?;
     pending.push_str(&rows_tail(SCHEMA, report, &report.all_warnings())?);
     printer.print(&pending)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::watched_rows;
-
-    #[test]
-    fn who_watches_sees_objects_one_by_one() {
-        // The lists of a museum and of a hospital; one of ten thousand rows has 313 parts.
-        assert_eq!([1, 21, 200].map(watched_rows), [1, 1, 1]);
-        assert_eq!(watched_rows(10_000), 32);
-    }
 }

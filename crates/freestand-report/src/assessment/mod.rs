@@ -3,6 +3,7 @@
 
 pub(crate) mod compared;
 mod csv;
+mod estimates;
 #[cfg(test)]
 mod fixture;
 mod floors;
@@ -34,6 +35,7 @@ use freestand_output::folder::OutputFolder;
 use freestand_risk::budget::BudgetPlan;
 use serde::{Deserialize, Serialize};
 
+pub use estimates::{EstimateRow, first_estimates, time_left, usual_time};
 pub use head::{Head, head};
 pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
 pub use plan::{ALTERNATIVES_NAME, PLAN_NAME, write_plan};

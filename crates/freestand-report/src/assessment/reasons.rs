@@ -126,6 +126,13 @@ fn sentence(reason: &Reason, item: &Item, found: &Assessment) -> String {
             before_wall(&before, found.accepted_ratio)
         }),
         Reason::Spectrum(number) => format!("The {}.", spectrum_decides(*number)),
+        Reason::Stopped { worlds: 0 } => {
+            "The run was stopped before its first world: continue it.".to_owned()
+        }
+        Reason::Stopped { worlds } => format!(
+            "The run was stopped after {}, before its verdict: continue it.",
+            counted(*worlds as usize, "world")
+        ),
     }
 }
 
@@ -141,7 +148,7 @@ fn of_answers(found: &Assessment, words: impl FnOnce(&Answers) -> String) -> Str
 }
 
 /// `8 % (6 to 11 %)`.
-fn spread(p: Probability) -> String {
+pub(super) fn spread(p: Probability) -> String {
     format!(
         "{} ({} to {})",
         percent(p.value),
@@ -184,6 +191,12 @@ fn falling(found: &Assessment, answers: &Answers, lifts: bool) -> String {
         FallsAnswer::Falls => {
             format!(
                 "It falls in {} of {worlds}, more than the accepted {limit}.{models}",
+                spread(p)
+            )
+        }
+        FallsAnswer::Open => {
+            format!(
+                "It falls in {} of {worlds} so far (accepted {limit}).{models}",
                 spread(p)
             )
         }
@@ -288,6 +301,12 @@ fn shock(found: &Assessment, answers: &Answers, governing: Option<Criterion>) ->
         ShockAnswer::Close => {
             format!(
                 "{what} in {} of the worlds against the accepted {limit}: too close to call.{models}",
+                spread(p)
+            )
+        }
+        ShockAnswer::Open => {
+            format!(
+                "{what} in {} of the worlds so far (accepted {limit}).{models}",
                 spread(p)
             )
         }

@@ -64,12 +64,33 @@ pub fn assessment_text(report: &JobReport) -> String {
         text.push_str(&format!("{}\n", one_line(&KeyStyle::Flag.shown(problem))));
     }
     if report.interrupted {
-        text.push_str("stopped before the end: continue with --resume\n");
+        text.push_str(&stopped(report));
     }
     let tables = report.files.iter().filter(|name| *name != "manifest.json");
     let named = tables.map(String::as_str).collect::<Vec<_>>().join(", ");
     text.push_str(&format!("\nFiles in {}: {named}\n", report.out));
     text
+}
+
+/// How far a run has come that was stopped.
+fn stopped(report: &JobReport) -> String {
+    let begun = report.resumed + report.computed + report.unsettled;
+    let mut parts = Vec::new();
+    if report.unsettled > 0 {
+        parts.push(format!(
+            "{} not settled, after up to {}",
+            counted(report.unsettled, "object"),
+            counted(report.worlds, "world")
+        ));
+    }
+    if begun < report.objects {
+        parts.push(format!("{} not begun", report.objects - begun));
+    }
+    let what = match parts.is_empty() {
+        true => String::new(),
+        false => format!(": {}", parts.join(", ")),
+    };
+    format!("stopped before the end{what}; continue with --resume\n")
 }
 
 /// The most urgent objects.

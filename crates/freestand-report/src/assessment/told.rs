@@ -20,6 +20,10 @@ answer! {
         resumed: usize,
         /// Objects that this run assessed.
         computed: usize,
+        /// Objects whose worlds did not suffice before this run was stopped: they have no verdict yet.
+        unsettled: usize,
+        /// Worlds of the object with the most.
+        worlds: usize,
         /// Whether this run was stopped before its end; a run with `resume` continues it.
         interrupted: bool,
         /// Objects by decision.

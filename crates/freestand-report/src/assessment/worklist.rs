@@ -143,6 +143,7 @@ fn find_out(item: &Item, found: &Assessment) -> String {
         }
         Reason::NoMotion => Some("Add a motion for its floor to the study.".to_owned()),
         Reason::Unchecked => Some("Confirm its tolerance.".to_owned()),
+        Reason::Stopped { .. } => Some("Continue the run with --resume.".to_owned()),
         Reason::Unstated(unstated) => Some(format!(
             "State {}: give {}.",
             unstated.words(),

@@ -228,11 +228,7 @@ pub fn check_replicates(replicates: Option<u32>) -> Result<(), Problem> {
 /// # Errors
 /// The caller stopped the work.
 pub(crate) fn go_on(progress: Progress) -> Result<(), Problem> {
-    match progress(Step {
-        stage: None,
-        done: 0,
-        total: 0,
-    }) {
+    match progress(Step::asks()) {
         ControlFlow::Continue(()) => Ok(()),
         ControlFlow::Break(()) => Err(Problem::stopped()),
     }

@@ -290,6 +290,7 @@ pub struct WallImpact {
 
 /// How a history ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Outcome {
     /// The base never passed the uplift threshold.
     NoUplift,
@@ -325,6 +326,7 @@ impl Outcome {
 
 /// Why a history stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StopReason {
     /// The end of the motion, or the requested time, was reached.
     EndOfMotion,
@@ -407,6 +409,7 @@ pub struct Rocking {
 
 /// The part of a history that a spectrum keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct RockingSummary {
     /// How the history ended.
     pub outcome: Outcome,
@@ -443,6 +446,7 @@ impl From<&Rocking> for RockingSummary {
 
 /// Extremes of the motion about one edge.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct SideExtremes {
     /// Largest |θ| \[rad\].
     pub peak_rotation_rad: f64,

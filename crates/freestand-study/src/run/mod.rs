@@ -39,7 +39,7 @@ pub enum Stage {
     GroundMotions,
     FloorMotions,
     RockingHistories,
-    /// The objects of an inventory.
+    /// The questions about the objects of an inventory.
     Objects,
 }
 
@@ -50,7 +50,7 @@ impl Stage {
             Self::GroundMotions => "ground motions",
             Self::FloorMotions => "floor motions",
             Self::RockingHistories => "rocking histories",
-            Self::Objects => "objects",
+            Self::Objects => "questions settled",
         }
     }
 }
@@ -64,6 +64,36 @@ pub struct Step {
     pub done: usize,
     /// Histories in all.
     pub total: usize,
+    /// The effort that is done, and that of the whole run as far as it is known; `None`: as `done` and `total`.
+    pub effort: Option<(u64, u64)>,
+}
+
+impl Step {
+    /// So much is done of a stage.
+    pub fn new(stage: Stage, done: usize, total: usize) -> Self {
+        Self {
+            stage: Some(stage),
+            done,
+            total,
+            effort: None,
+        }
+    }
+
+    /// Nothing new: whether to stop.
+    pub fn asks() -> Self {
+        Self {
+            stage: None,
+            done: 0,
+            total: 0,
+            effort: None,
+        }
+    }
+
+    /// The share of the effort that is done.
+    pub fn share(&self) -> f64 {
+        let (done, total) = self.effort.unwrap_or((self.done as u64, self.total as u64));
+        done as f64 / total.max(1) as f64
+    }
 }
 
 /// Called after each step; `Break` stops the run.
@@ -92,14 +122,10 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
     let directions = study.directions_deg.len();
     let total = study.levels.len() * study.objects.blocks.len() * names.len() * directions;
     let tell = |stage, done| {
-        progress(Step {
-            stage: Some(stage),
-            done,
-            total,
-        })
-        .is_continue()
-        .then_some(())
-        .ok_or_else(|| Problems::from(Problem::stopped()))
+        progress(Step::new(stage, done, total))
+            .is_continue()
+            .then_some(())
+            .ok_or_else(|| Problems::from(Problem::stopped()))
     };
     let ground = ground_motions(&study.ground, || tell(Stage::GroundMotions, 0))?;
     let floors = floors(study, &ground, || tell(Stage::FloorMotions, 0))?;

@@ -27,6 +27,7 @@ use crate::spatial::SpatialMotion;
 
 /// How a body touches the floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Contact {
     /// Coefficient of friction μ.
     pub friction_ratio: f64,
@@ -95,6 +96,7 @@ const PUT_DOWN_1_S: f64 = 30.0;
 
 /// How a history on a hull ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum HullOutcome {
     /// It rests in its pose.
     Stood,
@@ -122,6 +124,7 @@ impl HullOutcome {
 
 /// What a body did.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct HullRocking {
     /// How it ended.
     pub outcome: HullOutcome,

@@ -11,6 +11,7 @@ pub use spectral::{SpectralMeasures, mean_period_s, spectral_measures};
 
 use crate::G0_M_S2;
 use crate::motion::Motion;
+use crate::vector::largest;
 use std::f64::consts::PI;
 
 /// Strength and duration of a motion.
@@ -172,6 +173,25 @@ fn trapezoid_abs(dt_s: f64, pair: &[f64]) -> f64 {
 
 fn squares(values: &[f64]) -> Vec<f64> {
     values.iter().map(|a| a * a).collect()
+}
+
+/// The length of the longest of the vectors with these components. Squares are compared, because a root for each
+/// takes long.
+///
+/// # Example
+/// ```
+/// use freestand::measures::longest;
+/// assert_eq!(longest(&[1.0, -3.0, 2.0], &[0.0, 4.0, 4.4]), 5.0);
+/// ```
+pub fn longest(along: &[f64], across: &[f64]) -> f64 {
+    let squares: Vec<f64> = along
+        .iter()
+        .zip(across)
+        .map(|(a, b)| a * a + b * b)
+        .collect();
+    let most = largest(&squares, |square| square);
+    let place = squares.iter().position(|square| *square == most);
+    place.map_or(0.0, |place| along[place].hypot(across[place]))
 }
 
 /// Running integral of `values` by the trapezoid rule; starts at 0 and has as many values as the

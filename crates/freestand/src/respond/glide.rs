@@ -13,6 +13,7 @@ use super::settings::Settings;
 
 /// What an object that rolls or slides does in one plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Glide {
     /// The largest distance from where it stood, as if nothing were in the way \[m\].
     pub travel_m: f64,

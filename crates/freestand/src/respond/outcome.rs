@@ -8,6 +8,7 @@ use super::object::Planes;
 
 /// How an object ended, in the worse of its planes.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Outcome {
     /// No edge lifted, and it stayed where it was.
     Stood,
@@ -30,6 +31,7 @@ pub enum Outcome {
 
 /// How an object rolled or slid.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Travelled {
     /// The largest way from where it stood, as if nothing were in the way \[m\].
     pub travel_m: f64,

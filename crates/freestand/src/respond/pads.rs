@@ -16,6 +16,7 @@ use super::settings::Settings;
 
 /// What an object on its pads did.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PadSummary {
     /// How it ended; [`Rocking::NoUplift`]: no edge let go of its pad.
     pub outcome: Rocking,
@@ -37,6 +38,7 @@ pub struct PadSummary {
 
 /// What an object does in three dimensions.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tilt {
     /// Largest angle of its axis to the vertical \[rad\].
     pub tilt_rad: f64,

@@ -65,6 +65,7 @@ pub struct StackRocking {
 /// A body of a stack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum StackPart {
     /// The lower body.
     Lower,

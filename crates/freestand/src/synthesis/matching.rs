@@ -190,20 +190,19 @@ impl<'a> Matcher<'a> {
     /// times the change before, and cuts low frequencies as [`PLAIN_PASSES`] passes do.
     pub(super) fn follow(
         &mut self,
-        mut accel: Vec<f64>,
+        accel: Vec<f64>,
         passes: &[(f64, f64)],
         over_s: &RangeInclusive<f64>,
     ) -> Result<Motion, SynthesisError> {
-        let mut best = Best::default();
         let mut ln_gains = vec![0.0; MATCHED_PERIODS];
-        for (step, momentum) in passes {
-            let ln_ratios = self.ln_ratios(&accel);
-            for (ln_gain, ln_ratio) in ln_gains.iter_mut().zip(&ln_ratios) {
+        let mut next = passes.iter();
+        let (best, _) = self.best_of(accel, passes.len(), |matcher, accel, ln_ratios| {
+            let (step, momentum) = next.next().copied().unwrap_or_default();
+            for (ln_gain, ln_ratio) in ln_gains.iter_mut().zip(ln_ratios) {
                 *ln_gain = momentum * *ln_gain - step * ln_ratio;
             }
-            best.consider(&accel, &ln_ratios);
             let gains: Vec<f64> = ln_gains.iter().map(|ln| ln.exp()).collect();
-            self.filter(&mut accel, |bin| {
+            matcher.filter(accel, |bin| {
                 let gain = bin.place.interpolate(&gains);
                 if bin.frequency_hz < LOW_CUT_HZ {
                     gain * (bin.frequency_hz / LOW_CUT_HZ).powi(PLAIN_PASSES)
@@ -211,9 +210,7 @@ impl<'a> Matcher<'a> {
                     gain
                 }
             });
-        }
-        let ln_ratios = self.ln_ratios(&accel);
-        best.consider(&accel, &ln_ratios);
+        });
         let of_mean: Vec<f64> = best
             .ln_ratios
             .into_iter()
@@ -241,23 +238,35 @@ impl<'a> Matcher<'a> {
             return Err(SynthesisError::NoContent);
         }
         accel.iter_mut().for_each(|a| *a *= (-mean).exp());
-        let (mut best, mut best_pass) = (Best::default(), 0);
-        for pass in 0..=passes {
-            let ln_ratios = self.ln_ratios(&accel);
-            if best.consider(&accel, &ln_ratios) {
-                best_pass = pass;
-            }
-            if pass < passes {
-                self.pass(&mut accel, &ln_ratios);
-            }
-        }
+        let (best, pass) = self.best_of(accel, passes, Self::pass);
         let motion = Motion::new(self.layout.dt_s, best.accel)?;
         let misfit = self.described(&motion, &best.ln_ratios);
         Ok(MatchedMotion {
             motion,
             misfit,
-            pass: best_pass,
+            pass,
         })
+    }
+
+    /// The best motion of a start and so many passes, each of which changes a motion by its ln PSA/target;
+    /// and after how many passes it was.
+    fn best_of(
+        &mut self,
+        mut accel: Vec<f64>,
+        passes: usize,
+        mut pass: impl FnMut(&mut Self, &mut [f64], &[f64]),
+    ) -> (Best, usize) {
+        let (mut best, mut best_pass) = (Best::default(), 0);
+        for done in 0..=passes {
+            let ln_ratios = self.ln_ratios(&accel);
+            if best.consider(&accel, &ln_ratios) {
+                best_pass = done;
+            }
+            if done < passes {
+                pass(self, &mut accel, &ln_ratios);
+            }
+        }
+        (best, best_pass)
     }
 
     fn pass(&mut self, accel: &mut [f64], ln_ratios: &[f64]) {

@@ -16,6 +16,7 @@ pub const WALL_DAMPING_RATIO: (f64, f64) = (0.05, 0.3);
 
 /// A wall in one world.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct WallDraw {
     /// Whether it stands where θ < 0: this is the sign of the floor motion against it.
     pub is_on_left: bool,

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use super::{Beside, Job, Run, staged, written};
 use freestand_assess::key::resume_key;
 use freestand_assess::list::inventory_of;
-use freestand_assess::portfolio::{Assessed, Assessor, Keep, assess};
+use freestand_assess::portfolio::{Assessed, Assessor, Keep, PartState, Tell, Watch, assess};
 use freestand_assess::store::{Part, Store, part_size};
 use freestand_assess::two_spectra::refuse_outcomes;
 use freestand_input::file::sha256_hex;
@@ -29,7 +29,7 @@ use freestand_output::folder::write_file;
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
 use freestand_report::assessment::{JobReport, head, outcomes_rows};
-use freestand_study::run::{Progress, Stage, Step};
+use freestand_study::run::{Progress, Step};
 
 use plan::Plan;
 pub use plan::{PLAN_SCHEMA, PlanRequest, check_shards, plan_shards};
@@ -123,38 +123,26 @@ pub fn run_shard(dir: &Path, index: usize, progress: Progress) -> Result<ShardRe
     let study = plan.study()?;
     let store = Store::of_shards(&out)?;
     let motions = dir.join(MOTIONS);
-    let wants_to_stop = || {
-        progress(Step {
-            stage: None,
-            done: 0,
-            total: 0,
-        })
-        .is_break()
-    };
+    let wants_to_stop = || progress(Step::asks()).is_break();
+    let watch = Watch::new(&study, &items, None, progress);
     let alternative = study.alternative();
     refuse_outcomes(plan.outcomes(), alternative.as_ref())?;
     let keep = Keep {
         outcomes: plan.outcomes().then_some(outcomes_rows),
         motions: Some(&motions),
     };
-    let mut assessor =
-        Assessor::new(&study, plan.rows(), keep, &wants_to_stop).beside(alternative.as_ref());
+    let mut assessor = Assessor::new(&study, plan.rows(), keep, &wants_to_stop, &watch)
+        .beside(alternative.as_ref());
     let mut failed = 0;
     for part in &parts {
         let done = part.rows.start - rows.start;
-        if progress(Step {
-            stage: Some(Stage::Objects),
-            done,
-            total: rows.len(),
-        })
-        .is_break()
-        {
-            return Err(Problem::stopped().into());
-        }
         let items = items
             .get(done..part.rows.end - rows.start)
             .unwrap_or_default();
-        let Assessed { found, .. } = assessor.part(&store, part, items, progress)?;
+        let Assessed { found, state } = assessor.part(&store, part, items, progress)?;
+        if state == PartState::Stopped || wants_to_stop() {
+            return Err(Problem::stopped().into());
+        }
         failed += found
             .iter()
             .filter(|one| one.has_failed_histories())
@@ -227,7 +215,6 @@ pub fn merge_shards(
         force,
         parquet: true,
         outcomes: plan.outcomes(),
-        part_rows: None,
     };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);
@@ -238,7 +225,15 @@ pub fn merge_shards(
         outcomes: job.outcomes.then_some(outcomes_rows),
         motions: Some(&motions),
     };
-    let portfolio = assess(&study, &inventory, store, parts, keep, None, progress)?;
+    let portfolio = assess(
+        &study,
+        &inventory,
+        store,
+        parts,
+        keep,
+        Tell::default(),
+        progress,
+    )?;
     if portfolio.interrupted {
         return Err(Problem::stopped().into());
     }

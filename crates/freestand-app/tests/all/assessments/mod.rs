@@ -7,4 +7,5 @@ mod one_object;
 mod pulses;
 mod shards;
 mod space;
+mod watched;
 mod worlds;

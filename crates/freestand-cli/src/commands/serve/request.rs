@@ -294,10 +294,16 @@ fn answer(request: &Request, cancel: &Cancel, events: &Events) -> Result<Reply, 
         };
         let events = events.clone();
         let tell = move |told| match told {
-            Told::Progress { phase, done, total } => {
-                events.progress(phase, done, total);
+            Told::Progress {
+                phase,
+                done,
+                total,
+                share,
+            } => {
+                events.progress(phase, done, total, share);
                 events.give_way();
             }
+            Told::Estimate(row) => events.estimate(&row),
             Told::Object(row) => events.object(&row),
             Told::Problem(problem) => events.problem(&problem),
         };

@@ -78,6 +78,18 @@ export function ranked(rows: Row[], coming: Row[]): Row[] {
   return all.map((row, i) => (row.rank === i + 1 ? row : { ...row, rank: i + 1 }));
 }
 
+/** An object after some of its worlds: no verdict. */
+export interface Estimate {
+  row: number; id: string; worlds: number; p_overturn: number; p_overturn_low: number; p_overturn_high: number; is_settled: boolean;
+}
+
+const MOST_ESTIMATES = 15;
+
+/** The objects that fall most often so far. */
+export function likeliest(estimates: Map<number, Estimate>): Estimate[] {
+  return [...estimates.values()].sort((a, b) => b.p_overturn - a.p_overturn || a.row - b.row).slice(0, MOST_ESTIMATES);
+}
+
 export interface Wanted { text: string; verdict: string; floor: string }
 export interface Order { by: string; down: boolean }
 

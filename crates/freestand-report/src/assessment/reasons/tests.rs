@@ -145,6 +145,8 @@ fn every_reason_in_words() {
         },
         Reason::BeforeWall,
         Reason::Spectrum(2),
+        Reason::Stopped { worlds: 0 },
+        Reason::Stopped { worlds: 40 },
     ];
     // None is forgotten: what is not listed above is a pad that does not help.
     let named: std::collections::HashSet<_> = reasons.iter().map(std::mem::discriminant).collect();

@@ -148,11 +148,7 @@ impl Work<'_> {
         let done = AtomicUsize::new(0);
         let count = |runs: usize| -> Result<(), Problems> {
             let done = done.fetch_add(runs, Ordering::Relaxed) + runs;
-            match (self.progress)(Step {
-                stage: Some(Stage::RockingHistories),
-                done,
-                total,
-            }) {
+            match (self.progress)(Step::new(Stage::RockingHistories, done, total)) {
                 ControlFlow::Continue(()) => Ok(()),
                 ControlFlow::Break(()) => Err(Problem::stopped().into()),
             }

@@ -1,6 +1,7 @@
 //! The motion of the base in units of g, and when it lifts a block from rest.
 
 use crate::rocking::Base;
+use crate::vector::{ABREAST, largest};
 
 /// Samples per maximum on the first level, and first-level maxima per maximum on the second.
 const SPAN: usize = 32;
@@ -12,8 +13,10 @@ pub(super) struct Shaking {
     pub(super) u: Vec<f64>,
     /// Empty without a vertical motion; it is then 1 throughout.
     pub(super) v: Vec<f64>,
-    /// Values and maxima of −ü_h/(g+ü_v) and of ü_h/(g+ü_v), which lift a block about the right
-    /// edge and about the left edge.
+    /// ü_h/(g+ü_v), which lifts a block about the left edge, and less than 0 about the right one; empty
+    /// without a vertical motion: it is then that of `u`.
+    lifting: Vec<f64>,
+    /// The maxima of its opposite, and its own.
     peaks: [Peaks; 2],
     /// Largest |ü_h|/g + |1 + ü_v/g|.
     pub(super) largest: f64,
@@ -21,9 +24,10 @@ pub(super) struct Shaking {
     pub(super) steepest: f64,
 }
 
-#[derive(Debug, Clone, Default)]
+/// Maxima of values times a sign.
+#[derive(Debug, Clone)]
 struct Peaks {
-    values: Vec<f64>,
+    sign: f64,
     by_span: Vec<f64>,
     by_square: Vec<f64>,
 }
@@ -53,31 +57,23 @@ impl Shaking {
         if v.iter().any(|v| *v <= 0.0) {
             return None;
         }
-        let lifting: Vec<f64> = if v.is_empty() {
-            u.clone()
-        } else {
-            u.iter().zip(&v).map(|(u, v)| u / v).collect()
+        let lifting: Vec<f64> = u.iter().zip(&v).map(|(u, v)| u / v).collect();
+        let lifts = if v.is_empty() { &u } else { &lifting };
+        let peaks = [-1.0, 1.0].map(|sign| Peaks::new(lifts, sign));
+        let largest = match v.is_empty() {
+            true => largest(&u, |u| u.abs() + 1.0),
+            false => (0..u.len())
+                .map(|k| u[k].abs() + v[k])
+                .fold(f64::NEG_INFINITY, f64::max),
         };
-        let peaks = [
-            Peaks::new(lifting.iter().map(|a| -a).collect()),
-            Peaks::new(lifting),
-        ];
-        let largest = (0..u.len())
-            .map(|k| u[k].abs() + v.get(k).copied().unwrap_or(1.0))
-            .fold(1.0, f64::max);
-        let change = |values: &[f64]| {
-            values
-                .windows(2)
-                .map(|w| (w[1] - w[0]).abs())
-                .fold(0.0, f64::max)
-        };
-        let steepest = change(&u) + change(&v);
+        let steepest = steepest(&u) + steepest(&v);
         Some(Self {
             dt_s: given.dt_s(),
             u,
             v,
+            lifting,
             peaks,
-            largest,
+            largest: largest.max(1.0),
             steepest,
         })
     }
@@ -102,14 +98,24 @@ impl Shaking {
     /// The first sample, from index `from`, at which s ü_h/(g+ü_v) about an edge passes a threshold:
     /// it lets a block go that leans on the wall beyond that edge.
     pub(super) fn first_release(&self, edge: usize, threshold: f64, from: usize) -> Option<usize> {
-        self.peaks[1 - edge].first_above(threshold, from)
+        self.peaks[1 - edge].first_above(self.lifts(), threshold, from)
     }
 
     /// The first sample, from index `from`, that lifts a block at rest with these uplift thresholds
     /// of its right and left edges.
     pub(super) fn first_lift(&self, thresholds: [f64; 2], from: usize) -> Option<usize> {
-        let [right, left] = [0, 1].map(|edge| self.peaks[edge].first_above(thresholds[edge], from));
+        let lifts = self.lifts();
+        let [right, left] =
+            [0, 1].map(|edge| self.peaks[edge].first_above(lifts, thresholds[edge], from));
         [right, left].into_iter().flatten().min()
+    }
+
+    fn lifts(&self) -> &[f64] {
+        if self.v.is_empty() {
+            &self.u
+        } else {
+            &self.lifting
+        }
     }
 }
 
@@ -133,26 +139,47 @@ impl Interval {
     }
 }
 
+/// The largest change from one value to the next.
+fn steepest(values: &[f64]) -> f64 {
+    let mut most = [0.0; ABREAST];
+    let larger = |most: f64, value: f64| if value > most { value } else { most };
+    let later = values.get(1..).unwrap_or_default();
+    let (abreast, rest) = later.as_chunks::<ABREAST>();
+    for (place, later) in abreast.iter().enumerate() {
+        for lane in 0..ABREAST {
+            let change = (later[lane] - values[place * ABREAST + lane]).abs();
+            most[lane] = larger(most[lane], change);
+        }
+    }
+    let done = later.len() - rest.len();
+    let rest = rest.iter().zip(values.iter().skip(done));
+    let rest = rest.map(|(later, before)| (later - before).abs());
+    most.into_iter().chain(rest).fold(0.0, larger)
+}
+
 impl Peaks {
-    fn new(values: Vec<f64>) -> Self {
-        let largest = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let by_span: Vec<f64> = values.chunks(SPAN).map(largest).collect();
-        let by_square = by_span.chunks(SPAN).map(largest).collect();
+    fn new(values: &[f64], sign: f64) -> Self {
+        let spans = values.chunks(SPAN);
+        let by_span: Vec<f64> = spans
+            .map(|span| largest(span, |value| sign * value))
+            .collect();
+        let spans = by_span.chunks(SPAN);
+        let by_square = spans.map(|span| largest(span, |most| most)).collect();
         Self {
-            values,
+            sign,
             by_span,
             by_square,
         }
     }
 
-    fn first_above(&self, threshold: f64, from: usize) -> Option<usize> {
+    fn first_above(&self, values: &[f64], threshold: f64, from: usize) -> Option<usize> {
         let mut k = from;
-        while k < self.values.len() {
+        while k < values.len() {
             if k.is_multiple_of(SPAN * SPAN) && self.by_square[k / (SPAN * SPAN)] <= threshold {
                 k += SPAN * SPAN;
             } else if k.is_multiple_of(SPAN) && self.by_span[k / SPAN] <= threshold {
                 k += SPAN;
-            } else if self.values[k] > threshold {
+            } else if self.sign * values[k] > threshold {
                 return Some(k);
             } else {
                 k += 1;
