@@ -1,5 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
-
 use freestand::fragility::uniform_draw;
 use freestand::worlds::{Group, object_stream};
 use freestand_study::run::no_progress;
@@ -175,7 +173,7 @@ fn a_plan_is_the_best_of_all_choices() {
         }
         // Objects that somebody needs are bought, or counted as unfunded.
         let people = |row: &&PlanRow| row.life_safety.0.is_some();
-        let bought = planned.iter().copied().filter(|row| people(&row)).count();
+        let bought = planned.iter().copied().filter(people).count();
         assert_eq!(bought + plan.unfunded.0 as usize, 4, "{sample}");
         all_bought += usize::from(plan.unfunded.0 == 0);
         some_left += usize::from(plan.unfunded.0 > 0);

@@ -2,6 +2,7 @@
 
 mod around;
 mod assess;
+mod budget;
 mod doubt;
 mod one_object;
 mod pulses;

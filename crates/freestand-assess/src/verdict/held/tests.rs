@@ -1,5 +1,3 @@
-#![expect(clippy::unwrap_used, reason = "helpers of tests may stop")]
-
 use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::respond::RigidPlane;
