@@ -182,7 +182,7 @@ impl ObjectRisk {
         curves: &ObjectCurves,
         fit: Option<&ObjectFragility>,
         cost: Option<&CostRow>,
-        hazard: &Hazard,
+        (hazard, tilted): (&Hazard, &[Hazard]),
         years: f64,
         accepted: Option<f64>,
     ) -> Self {
@@ -209,10 +209,19 @@ impl ObjectRisk {
                         .and_then(|one| one.lacks_interval(limit_state));
                     let is_known = is_lognormal && lacks.is_none();
                     let ci95 = samples.filter(|_| is_known).and_then(|samples| {
-                        let rate = |(median, beta)| {
-                            annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate
+                        let of = |hazard: &Hazard| {
+                            let rate = |(median, beta)| {
+                                annual_rate(hazard, CurveKind::Lognormal { median, beta })
+                                    .annual_rate
+                            };
+                            percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
                         };
-                        percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
+                        // Whatever the slope is.
+                        let mut all = std::iter::once(hazard).chain(tilted).map(of);
+                        let first = all.next()??;
+                        all.try_fold(first, |(low, high), one| {
+                            one.map(|one| (low.min(one.0), high.max(one.1)))
+                        })
                     });
                     StateRisk {
                         limit_state,
