@@ -6,6 +6,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{canonical, number};
 
+use super::cities::cities;
 use super::rows::by_hand;
 use super::{Confidence, Coordinates, Place, PlaceHazard, Size, grid, places};
 use freestand_records::tables::hazard::Wanted;
@@ -21,6 +22,8 @@ const NEAR_KM: f64 = 300.0;
 pub enum NotFound {
     /// Its name is not in the tables; names that a slip of the pen makes of it.
     Unknown(Vec<String>),
+    /// A city without values: its name, and the nearest places with values, each with its distance \[km\].
+    NoValues(String, Vec<(String, f64)>),
     /// Several places have this name: their names in full.
     Several(Vec<String>),
     /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], and the coordinates in the
@@ -95,6 +98,14 @@ impl NotFound {
                 let message = format!("{shown} is the name of {} places", names.len());
                 Problem::value(message, format!("say which: {}", quoted(names)))
             }
+            Self::NoValues(city, near) => {
+                let message = format!("no hazard is known for {city}");
+                let hint = match near.is_empty() {
+                    true => format!("no place with values is within {NEAR_KM} km; {bring}"),
+                    false => format!("the nearest places with values are {}; {bring}", away(near)),
+                };
+                Problem::value(message, hint)
+            }
             Self::Far(_, Some(swapped)) => Problem::value(
                 format!("no hazard is known at {shown}"),
                 format!(
@@ -104,18 +115,14 @@ impl NotFound {
             ),
             Self::Far(near, None) => {
                 let message = format!("no hazard is known at {shown}");
-                let near: Vec<String> = near
-                    .iter()
-                    .map(|(name, km)| format!("{name} ({} km away)", number(*km, 2)))
-                    .collect();
                 if near.is_empty() {
                     return Problem::value(message, bring);
                 }
-                let hint = format!(
-                    "the nearest places with values are {}; {bring}",
-                    near.join(", ")
-                );
-                Problem::value(message, hint)
+                let near = away(near);
+                Problem::value(
+                    message,
+                    format!("the nearest places with values are {near}; {bring}"),
+                )
             }
             Self::Swapped(at) => Problem::value(
                 format!("{shown} are no coordinates"),
@@ -128,6 +135,34 @@ impl NotFound {
             Self::Refused(why) => Problem::value(*why, bring),
         }
     }
+}
+
+/// Places with their distances.
+fn away(near: &[(String, f64)]) -> String {
+    let near: Vec<String> = near
+        .iter()
+        .map(|(name, km)| format!("{name} ({} km away)", number(*km, 2)))
+        .collect();
+    near.join(", ")
+}
+
+/// What there is at a large city that has no row of its own: a point of a grid, a place that is this city by another name, or the
+/// places that are near. `None`: no such city is known.
+fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> {
+    let city = cities().iter().find(|city| {
+        city.names.iter().any(|name| {
+            let rest = wanted.strip_prefix(name.as_str());
+            rest.is_some_and(|rest| {
+                let rest = rest.trim_start();
+                rest.is_empty() || is_country(rest, &city.country)
+            })
+        })
+    })?;
+    let name = format!("{}, {}", city.name, city.country);
+    Some(at(city.at, code).map_err(|why| match why {
+        NotFound::Far(near, _) => NotFound::NoValues(name, near),
+        other => other,
+    }))
 }
 
 impl Place {
@@ -178,7 +213,7 @@ impl Place {
             found.retain(|(_, place)| place.hazard.code() == code);
         }
         let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
-            return Err(NotFound::Unknown(near(text)));
+            return of_city(&wanted, code).unwrap_or_else(|| Err(NotFound::Unknown(near(text))));
         };
         // A city of another country may be meant as well, a parish hardly.
         found.retain(|(other, place)| {
@@ -196,7 +231,8 @@ impl Place {
         }
         // A parish may have the name of a city that is not in the table, such as La Paz.
         if first.size == Size::Parish && first.names().any(|name| canonical(name) == wanted) {
-            return Err(NotFound::Unknown(vec![first.full_name()]));
+            let parish = NotFound::Unknown(vec![first.full_name()]);
+            return of_city(&wanted, code).unwrap_or(Err(parish));
         }
         let mut meant = first.clone();
         if let PlaceHazard::Ntc2018 { at } = meant.hazard {

@@ -1,5 +1,6 @@
 //! Places by name or by coordinates, with the hazard that the code of their country gives them and its source.
 
+mod cities;
 mod find;
 mod grid;
 mod rows;

@@ -191,6 +191,22 @@ fn misspelt_names() {
     assert_eq!(near("los angelos"), ["Los Angeles"]);
     assert!(near("Welington").contains(&"Wellington".to_owned()));
     assert!(near("qqqqq").is_empty() && near("").is_empty());
+    // A city without values is told with the nearest places that have them, not with one that only looks alike.
+    let Err(NotFound::NoValues(city, near)) = Place::look_up("Tbilisi", None) else {
+        panic!("values for Tbilisi");
+    };
+    assert_eq!(city, "Tbilisi, Georgia");
+    assert!(
+        !near.is_empty()
+            && near
+                .iter()
+                .all(|(name, km)| *km < 300.0 && name.ends_with("Türkiye")),
+        "{near:?}"
+    );
+    // Another name of a city of the table is that city: Antakya is Hatay there, not Antalya.
+    assert_eq!(found("Antakya").name, "Hatay");
+    assert_eq!(found("Peking").name, "Beijing");
+    assert_eq!(found("Monza").hazard.code(), "ntc2018");
     // Another city of a name that only looks alike is no help.
     assert!(near("Tehachapi").is_empty() && near("Lagos").len() <= 3);
 }
