@@ -50,8 +50,10 @@ impl PlaceKeys {
     pub(crate) fn located(&self, read: &mut WordReader<'_>, files: &Files) -> Words {
         let mut words = self.words();
         read.pass(&KEYS);
-        if let Some(path) = path(read, "spectrum", files) {
-            words.set("spectrum", absolute(path));
+        match path(read, "spectrum", files) {
+            Some(path) => words.set("spectrum", absolute(path)),
+            // What is wrong with it is told.
+            None => words.remove("spectrum"),
         }
         words
     }

@@ -100,11 +100,8 @@ impl NotFound {
             }
             Self::NoValues(city, near) => {
                 let message = format!("no hazard is known for {city}");
-                let hint = match near.is_empty() {
-                    true => format!("no place with values is within {NEAR_KM} km; {bring}"),
-                    false => format!("the nearest places with values are {}; {bring}", away(near)),
-                };
-                Problem::value(message, hint)
+                let near = away(near);
+                Problem::value(message, format!("known nearest to it: {near}; {bring}"))
             }
             Self::Far(_, Some(swapped)) => Problem::value(
                 format!("no hazard is known at {shown}"),
@@ -160,6 +157,11 @@ fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> 
     })?;
     let name = format!("{}, {}", city.name, city.country);
     Some(at(city.at, code).map_err(|why| match why {
+        NotFound::Far(near, _) if near.is_empty() => {
+            let first = nearest(city.at).into_iter().next();
+            let first = first.and_then(|place| Some((place.full_name(), place.distance_km?)));
+            NotFound::NoValues(name, first.into_iter().collect())
+        }
         NotFound::Far(near, _) => NotFound::NoValues(name, near),
         other => other,
     }))

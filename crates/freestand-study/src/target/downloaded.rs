@@ -34,8 +34,16 @@ pub(super) fn resolve(
     remedies: Remedies,
 ) -> Option<Result<Target, Problems>> {
     let path = base_dir.join(words.get("spectrum")?);
-    // A file that cannot be read is told as one with a table.
-    let bytes = load_hazard(&path).ok()?;
+    let bytes = match load_hazard(&path) {
+        Ok(bytes) => bytes,
+        // Beside words that a table does not take, a hazard file is meant.
+        Err(problem)
+            if named_place(words).is_some() || words.get("return_period_years").is_some() =>
+        {
+            return Some(Err(problem.of(&["spectrum"]).into()));
+        }
+        Err(_) => return None,
+    };
     recognised(&bytes)?;
     Some(read(words, &path, &bytes, remedies))
 }

@@ -191,7 +191,7 @@ pub(super) fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies
             .filter(|(_, other)| other.keys().contains(&key))
             .map(|(_, other)| other.name())
             .collect();
-        let hint = if remedies == Remedies::PlaceAlone {
+        let hint = if remedies == Remedies::PlaceAlone && code != Code::Table {
             "leave it out: the code of the place does not have it".to_owned()
         } else if code == Code::Table || takers == ["table"] {
             "leave it out; a spectrum is either that of a code or the table in `spectrum`"

@@ -2,7 +2,7 @@
 //! periods, and the values of design codes. The format is recognised by its content.
 //!
 //! ```text
-//! mod <- sites, numbers <- table <- openquake, usgs_table, national      numbers <- design, nrml, geotiff
+//! sites, numbers <- table <- openquake, usgs, national      usgs <- design      sites, numbers <- nrml, geotiff
 //! ```
 
 mod design;
