@@ -6,8 +6,10 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_records::tables::hazard::Wanted;
 use freestand_risk::coordinates;
 use freestand_risk::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
+use freestand_study::places::wanted_site;
 
 use crate::files::Files;
 use crate::request::{one_of, path, request};
@@ -15,14 +17,15 @@ use crate::request::{one_of, path, request};
 request! {
     /// A hazard curve of a file, or a power law.
     pub struct HazardCurve {
-        /// Hazard curve: "pgv [m/s],annual_rate", or a hazard_curve-*.csv of OpenQuake
+        /// Hazard curve: "pgv [m/s],annual_rate", or a file of OpenQuake, USGS, EFEHR, AFAD or NTC; --place chooses
+        /// its site
         #[arg(long, value_name = "FILE")]
         pub hazard: Option<Written>,
         /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
         #[arg(long, value_name = "LAW")]
         pub hazard_power: Option<Written>,
-        /// Intensity measure of a hazard that is not from a file: pga, pgv, pfv, sa(0.5) and so on [default:
-        /// that of the fragilities]
+        /// Intensity measure of a hazard that is not from a file, or which curve of a file with several: pga, pgv,
+        /// pfv, sa(0.5) and so on [default: that of the fragilities]
         #[arg(long, value_name = "IM")]
         pub hazard_im: Option<Written>,
         /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
@@ -35,6 +38,9 @@ request! {
 request! {
     /// The return periods of a code.
     pub struct HazardOfCode {
+        /// Place whose return periods are the hazard, for pga or sa(T); with --hazard the site of that file
+        #[arg(long, value_name = "NAME")]
+        pub place: Option<Written>,
         /// Return periods of a code, for pga or sa(T)
         #[arg(long, value_name = "CODE", value_parser = one_of(HAZARD_CODES))]
         pub hazard_code: Option<Written>,
@@ -60,11 +66,18 @@ impl HazardCurve {
         let file = path(read, "hazard", files);
         let law = read.one("hazard_power").map(str::to_owned);
         read.exclusive("hazard", "hazard_power");
-        if read.has("hazard") && read.has("hazard_im") {
-            unused(read, "hazard_im", "a hazard file, which names its measure,");
-        }
         let law = law.map(|text| HazardSource::PowerLaw { text, measure });
-        file.map(HazardSource::File).or(law)
+        let place = read.one("place").map(str::to_owned);
+        let site = match &file {
+            Some(_) => read.problems.keep(wanted_site(place.as_deref()))?,
+            None => Wanted::default(),
+        };
+        let file = file.map(|path| HazardSource::File {
+            path,
+            measure,
+            site,
+        });
+        file.or(law)
     }
 
     /// Longitude and latitude \[degrees\].
@@ -80,16 +93,28 @@ impl HazardCurve {
 }
 
 impl HazardOfCode {
-    /// The hazard; `None` if no code is given, or something is wrong.
+    /// The hazard; `None` if no code and no place is given, or something is wrong.
     pub(crate) fn source(
         read: &mut WordReader<'_>,
         measure: Option<Measure>,
     ) -> Option<HazardSource> {
+        let name = read.one("place").map(str::to_owned);
         let code = read.choice("hazard_code", HAZARD_CODES);
         let site = read.one("site").map(str::to_owned);
         let hazard_factor = read.positive("hazard_factor", Dimension::Ratio);
         let fault_distance_m = read.non_negative("fault_distance", Dimension::Length);
         let is_another = read.has("hazard") || read.has("hazard_power");
+        if let Some(name) = name.filter(|_| !is_another) {
+            for key in ["hazard_code", "hazard_factor", "fault_distance"] {
+                read.exclusive("place", key);
+            }
+            return Some(HazardSource::Place {
+                name,
+                site,
+                measure,
+            });
+        }
+        read.exclusive("place", "hazard_power");
         if !read.has("hazard_code") {
             for key in ["site", "hazard_factor", "fault_distance"] {
                 if read.has(key) && is_another {

@@ -99,13 +99,13 @@ impl ListKeys {
         let libraries = libraries.map(|name| files.path_of(name.as_ref()));
         let mut inputs = self.cells.inputs(files);
         inputs.extend(libraries.into_iter().flatten());
+        inputs.extend(self.hazard.input(files));
         inputs
     }
 
     /// What is asked of a study and its list.
     pub fn judged(&self, read: &mut WordReader<'_>, files: &Files, seed: Option<u64>) -> ListMeant {
-        let hazard = self.hazard.words_with(&self.fault);
-        read.pass(&place::KEYS);
+        let hazard = self.hazard.words_with(&self.fault, read, files);
         read.pass(&place::FAULT_KEYS);
         let storeys = read.whole_within("storeys", 1..=MAX_STOREYS);
         ListMeant {

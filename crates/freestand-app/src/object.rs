@@ -209,6 +209,7 @@ impl Question for Object {
         let mut inputs = named.paths();
         inputs.extend(self.records.inputs(files));
         inputs.extend(files.path_of(self.study.as_ref()));
+        inputs.extend(self.hazard.input(files));
         Ok(Meant { object, inputs })
     }
 
@@ -333,10 +334,16 @@ impl Object {
 
     /// Exactly one earthquake, with the keys that belong to it.
     fn earthquake(&self, read: &mut WordReader<'_>, files: &Files) -> Option<Earthquake> {
-        let hazard = self.hazard.words_with(&self.fault);
-        read.pass(&place::KEYS);
+        let hazard = self.hazard.words_with(&self.fault, read, files);
         read.pass(&place::FAULT_KEYS);
-        let (has_place, has_study) = (read.has("place"), read.has("study"));
+        let has_study = read.has("study");
+        // The file is the hazard of the place.
+        let of_place = if read.has("place") {
+            "place"
+        } else {
+            "spectrum"
+        };
+        let has_place = read.has(of_place);
         if has_place && !has_study {
             read.problems.keep(check_place(&hazard));
         }
@@ -369,7 +376,7 @@ impl Object {
         }
         let has_site = self.hazard.site.is_some() || self.hazard.return_period_years.is_some();
         let named = [
-            ("place", has_place && !has_study),
+            (of_place, has_place && !has_study),
             ("pga", read.has("pga")),
             ("study", has_study),
             ("motion", has_motion),
@@ -386,7 +393,7 @@ impl Object {
             );
         }
         match named[..] {
-            ["place"] => Some(Earthquake::Place(hazard)),
+            ["place" | "spectrum"] => Some(Earthquake::Place(hazard)),
             ["pga"] => Some(Earthquake::GroundAcceleration {
                 near_fault: read.problems.keep(near_fault(&self.fault.words(), None))?,
                 peak_m_s2: peak_m_s2?,

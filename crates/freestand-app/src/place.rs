@@ -1,10 +1,14 @@
 //! A place with the hazard of its code.
 
+use std::path::PathBuf;
+
 use clap::Arg;
 use freestand_input::keys::Words;
+use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 
-use crate::request::{Request as _, request};
+use crate::files::Files;
+use crate::request::{Request as _, path, request};
 
 request! {
     /// A place with the hazard of its code.
@@ -12,6 +16,10 @@ request! {
         /// Place or coordinates ("41.01, 28.97"), with their code and hazard; see freestand place list
         #[arg(long, value_name = "NAME")]
         pub place: Option<Written>,
+        /// Spectrum to use instead: a table, or a file of OpenQuake, USGS, EFEHR, AFAD or GEM, in which the
+        /// place is the site and the return period chooses the spectrum
+        #[arg(long, value_name = "FILE")]
+        pub spectrum: Option<Written>,
         /// Site class of the code
         #[arg(long, value_name = "CLASS")]
         pub site: Option<Written>,
@@ -38,16 +46,44 @@ request! {
 pub(crate) const FAULT_KEYS: [&str; 2] = ["fault_distance", "fault_magnitude"];
 
 impl PlaceKeys {
-    /// The words of the place and of its fault.
-    pub(crate) fn words_with(&self, fault: &FaultKeys) -> Words {
+    /// The words of the place, with the path of the spectrum.
+    pub(crate) fn located(&self, read: &mut WordReader<'_>, files: &Files) -> Words {
         let mut words = self.words();
+        read.pass(&KEYS);
+        match path(read, "spectrum", files) {
+            Some(path) => words.set("spectrum", absolute(path)),
+            // What is wrong with it is told.
+            None => words.remove("spectrum"),
+        }
+        words
+    }
+
+    /// The same with the words of its fault.
+    pub(crate) fn words_with(
+        &self,
+        fault: &FaultKeys,
+        read: &mut WordReader<'_>,
+        files: &Files,
+    ) -> Words {
+        let mut words = self.located(read, files);
         fault.write(&mut words);
         words
+    }
+
+    /// The file of the spectrum.
+    pub(crate) fn input(&self, files: &Files) -> Option<PathBuf> {
+        files.path_of(self.spectrum.as_ref())
     }
 }
 
 /// The keys of the place.
-pub(crate) const KEYS: [&str; 3] = ["place", "site", "return_period_years"];
+pub(crate) const KEYS: [&str; 4] = ["place", "spectrum", "site", "return_period_years"];
+
+/// A path from the current folder, for words that others read beside a study in another folder.
+pub(crate) fn absolute(path: PathBuf) -> String {
+    let whole = std::path::absolute(&path).unwrap_or(path);
+    whole.to_string_lossy().into_owned()
+}
 
 /// Their heading in the help of a command that has a study.
 pub const OF_STUDY: &str = "Hazard, in place of that of the study";

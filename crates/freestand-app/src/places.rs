@@ -5,7 +5,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::canonical;
 use freestand_input::written::Written;
 use freestand_output::answer_of;
-use freestand_study::places::{Coordinates, NotFound, Place, is_country, nearest, places};
+use freestand_study::places::{NotFound, Place, coordinates, is_country, nearest, places};
 
 use crate::files::Files;
 use crate::request::{Question, Request as _, reader, request};
@@ -55,7 +55,9 @@ impl Question for PlaceList {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let point = read.one("near").map(|text| {
-            let found = Coordinates::parse(text).map_err(|why| told(&why, text).of(&["near"]));
+            let found = coordinates(text)
+                .unwrap_or(Err(NotFound::NoCoordinates))
+                .map_err(|why| told(&why, text).of(&["near"]));
             read.problems.keep(found)
         });
         let mut found = match point {

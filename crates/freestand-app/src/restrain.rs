@@ -357,7 +357,7 @@ impl Restrain {
                 read.note(
                     &[key],
                     format!("`{key}` has no meaning beside `study`"),
-                    "leave it out: beside a study stand `place`, `site` and `return_period_years` alone",
+                    "leave it out: beside a study stand `place`, `spectrum`, `site` and `return_period_years` alone",
                 );
             }
             return Some(Hazard::OfStudy(source?, words?));

@@ -85,9 +85,9 @@ request! { question
 fn under_heading(arg: Arg) -> Arg {
     match arg.get_id().as_str() {
         "sheet" | "columns" | "edit" => arg.help_heading("Money"),
-        "hazard" | "hazard_power" | "hazard_im" | "site_coordinates" | "hazard_code" | "site"
-        | "hazard_factor" | "fault_distance" => {
-            arg.help_heading("Hazard (one of --hazard, --hazard-power, --hazard-code)")
+        "hazard" | "hazard_power" | "hazard_im" | "site_coordinates" | "place" | "hazard_code"
+        | "site" | "hazard_factor" | "fault_distance" => {
+            arg.help_heading("Hazard (one of --hazard, --hazard-power, --place, --hazard-code)")
         }
         _ => arg,
     }
@@ -190,7 +190,7 @@ fn check_together(read: &mut WordReader<'_>) {
     for curve in ["hazard", "hazard_power"] {
         read.exclusive(curve, "hazard_code");
     }
-    if !["hazard", "hazard_power", "hazard_code"]
+    if !["hazard", "hazard_power", "place", "hazard_code"]
         .iter()
         .any(|key| read.has(key))
     {
@@ -202,7 +202,7 @@ fn check_together(read: &mut WordReader<'_>) {
         read.missing(
             &[key],
             "there is no hazard curve, which says how often motions reach an intensity",
-            "give one of `hazard`, `hazard_power` and `hazard_code`",
+            "give one of `hazard`, `hazard_power`, `place` and `hazard_code`",
         );
     }
     for key in ["horizon_years", "discount"] {

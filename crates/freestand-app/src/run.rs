@@ -195,15 +195,19 @@ fn study_meant(
     name: Option<&Written>,
     files: &Files,
 ) -> StudyMeant {
-    read.pass(&place::KEYS);
+    let words = hazard.located(read, files);
     StudyMeant {
         overrides: Overrides {
             seed: seed(read),
-            hazard: hazard.words(),
+            hazard: words,
             ..Overrides::default()
         },
         source: study::source_without_flag(read, files),
-        inputs: files.path_of(name).into_iter().collect(),
+        inputs: files
+            .path_of(name)
+            .into_iter()
+            .chain(hazard.input(files))
+            .collect(),
     }
 }
 

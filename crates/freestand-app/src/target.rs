@@ -10,6 +10,7 @@ use freestand_input::written::Written;
 use freestand_study::target::{Target, period_code};
 
 use crate::files::Files;
+use crate::place::absolute;
 use crate::request::{Request, request};
 
 request! {
@@ -92,7 +93,8 @@ request! {
         /// Long-period transition TL [default with --place: 8 s]
         #[arg(long, value_name = "TIME", help_heading = "ASCE 7")]
         pub long_period: Option<Written>,
-        /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings
+        /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings; or a file of OpenQuake,
+        /// USGS, EFEHR, AFAD or GEM, with --place for its site and --return-period
         #[arg(long, value_name = "FILE", help_heading = "A table of your own")]
         pub spectrum: Option<Written>,
         /// How to interpolate between periods: log-log or linear [default: log-log]
@@ -135,7 +137,7 @@ impl TargetKeys {
         if let Some(name) = &self.spectrum {
             let path = files.path(&name.text());
             let path = path.map_err(|problem| problem.named("spectrum"))?;
-            words.set("spectrum", path.to_string_lossy());
+            words.set("spectrum", absolute(path));
         }
         Ok(words)
     }

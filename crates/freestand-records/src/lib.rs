@@ -1,8 +1,8 @@
 //! Ground and floor motions from strong-motion records: read, processed and written. Also
-//! tables of other things: buildings, tests of cushions and of objects, response spectra.
+//! tables of other things: buildings, tests of cushions and of objects, response spectra, seismic hazard.
 //!
 //! ```text
-//! notes <- text <- motion_file <- formats <- horizontal, processing      text <- tables
+//! notes <- text <- motion_file <- formats <- horizontal, processing      text <- tables <- formats
 //! ```
 
 pub mod formats;

@@ -51,7 +51,7 @@ pub fn place_text(place: &Place) -> String {
             format!("{} ({})", place.hazard.code_title(), place.hazard.code()),
         ),
         ("hazard", place.words()),
-        ("source", place.source.to_owned()),
+        ("source", place.source.to_string()),
         ("confidence", place.confidence.name().to_owned()),
     ];
     if let Some(km) = place.distance_km {

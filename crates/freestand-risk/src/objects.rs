@@ -182,7 +182,7 @@ impl ObjectRisk {
         curves: &ObjectCurves,
         fit: Option<&ObjectFragility>,
         cost: Option<&CostRow>,
-        hazard: &Hazard,
+        (hazard, tilted): (&Hazard, &[Hazard]),
         years: f64,
         accepted: Option<f64>,
     ) -> Self {
@@ -208,12 +208,28 @@ impl ObjectRisk {
                         .filter(|_| is_lognormal)
                         .and_then(|one| one.lacks_interval(limit_state));
                     let is_known = is_lognormal && lacks.is_none();
-                    let ci95 = samples.filter(|_| is_known).and_then(|samples| {
-                        let rate = |(median, beta)| {
-                            annual_rate(hazard, CurveKind::Lognormal { median, beta }).annual_rate
-                        };
-                        percentiles(samples.lognormals(limit_state).filter_map(rate).collect())
-                    });
+                    // Without samples of motions only the slope of the hazard is open, if it is.
+                    let is_open = samples.is_some() || !tilted.is_empty();
+                    let of = |hazard: &Hazard| {
+                        let rate = |kind| annual_rate(hazard, kind).annual_rate;
+                        let lognormal = |(median, beta)| CurveKind::Lognormal { median, beta };
+                        match samples {
+                            Some(samples) => {
+                                let all = samples.lognormals(limit_state).map(lognormal);
+                                percentiles(all.filter_map(rate).collect())
+                            }
+                            None => rate(curve.kind).map(|rate| (rate, rate)),
+                        }
+                    };
+                    let ci95 = Some(hazard)
+                        .filter(|_| is_known && is_open)
+                        .and_then(|hazard| {
+                            let mut all = std::iter::once(hazard).chain(tilted).map(of);
+                            let first = all.next()??;
+                            all.try_fold(first, |(low, high), one| {
+                                one.map(|one| (low.min(one.0), high.max(one.1)))
+                            })
+                        });
                     StateRisk {
                         limit_state,
                         rates,

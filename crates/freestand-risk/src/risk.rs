@@ -150,7 +150,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
             one,
             fit,
             cost,
-            &hazard.hazard,
+            (&hazard.hazard, &hazard.tilted),
             years,
             request.accepted_rate,
         ));

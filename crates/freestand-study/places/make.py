@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes named.csv.zlib and italy.zlib, and prints the table of their sources for docs/hazard-sources.md.
+"""Makes named.csv.zlib, italy.zlib and cities.csv.zlib, and prints the table of their sources for docs/hazard-sources.md.
 
     python3 make.py SHARED GEONAMES
 
@@ -190,3 +190,22 @@ print(f"{cities} cities, {len(out)} places, {sum(line.endswith(';;') for line in
 for name in ["places_read.csv", "places_recalled.csv", "nz_ts1170_5_2025_table3-1.csv", "italy_ntc_compact.csv"]:
     print(f"| `{name}` | `{hashlib.sha256((shared / name).read_bytes()).hexdigest()}` |")
 print(f"| `{geonames.name}` | `{hashlib.sha256(geonames.read_bytes()).hexdigest()}` |")
+
+# Cities of 100,000 and more, the largest first, those of a million with their other names in Latin letters: where a place is
+# that has no values, so that the nearest places with values can be told.
+LARGE, VERY_LARGE = 100_000, 1_000_000
+ours = {code: country for country, code in COUNTRIES.items()}
+theirs = json.loads((geonames.parent / "countries.json").read_text("utf-8"))
+lines = []
+cities = json.loads(geonames.read_text("utf-8")).values()
+for city in sorted(cities, key=lambda city: (-city["population"], city["geonameid"])):
+    if city["population"] < LARGE:
+        break
+    seen, others = {plain(city["name"])}, []
+    for name in sorted(city["alternatenames"]) if city["population"] >= VERY_LARGE else []:
+        if re.fullmatch(r"[A-Za-z][A-Za-z' -]{3,18}", name) and plain(name) not in seen:
+            seen.add(plain(name))
+            others.append(name)
+    country = ours.get(city["countrycode"]) or theirs[city["countrycode"]]["name"]
+    lines.append(f"{city['name']};{','.join(others)};{country};{city['latitude']:.2f};{city['longitude']:.2f}")
+(HERE / "cities.csv.zlib").write_bytes(zlib.compress("\n".join(lines).encode(), 9))

@@ -8,8 +8,8 @@ use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 
-use crate::places::{FAR_KM, PlaceHazard, TsLevel};
-use crate::target::{Target, code_name};
+use crate::places::{FAR_KM, PlaceHazard};
+use crate::target::{Code, Target, code_of};
 
 /// Up to this return period NZS 1170.5 counts no fault as near (R up to 0.75), and so is it here for TS 1170.5 \[years\].
 const NEAR_FAULT_YEARS: u32 = 250;
@@ -18,7 +18,7 @@ const NEAR_FAULT_YEARS: u32 = 250;
 pub fn spectrum_words(words: &Words) -> Words {
     let mut left = words.clone();
     left.remove("fault_magnitude");
-    if code_name(words) != Some("nzs1170.5") {
+    if code_of(words) != Some(Code::Nzs1170_5) {
         left.remove("fault_distance");
     }
     left
@@ -37,11 +37,11 @@ pub fn near_fault(words: &Words, target: Option<&Target>) -> Result<Option<NearF
         }
         // The table of the settlement has a distance and a magnitude for each return period.
         CodeSpectrum::Ts1170_5(code) => {
-            let PlaceHazard::Ts1170_5 { table } = target.place.as_ref()?.hazard else {
+            let PlaceHazard::Ts1170_5 { levels } = target.place.as_ref()?.hazard else {
                 return None;
             };
             let years = code.return_period_years();
-            let level = TsLevel::all(table).find(|level| level.years == years)?;
+            let level = levels.iter().find(|level| level.years == years)?;
             let is_rare = years > NEAR_FAULT_YEARS;
             let km = level
                 .fault_distance_km

@@ -226,10 +226,23 @@ pub fn with_building_tables(
 ///
 /// # Errors
 /// A text that is not TOML, or without `[ground]`.
-pub fn with_spectrum(toml: &str, file: &str) -> Result<String, Problem> {
+pub fn with_spectrum(toml: &str, file: &str, is_held: bool) -> Result<String, Problem> {
     let mut study = parse(toml)?;
     let ground = own_table(&mut study, "ground")?;
     ground.insert("spectrum", value(file));
+    // What chose the spectrum of a hazard file has no part in its table.
+    for key in [
+        "place",
+        "city",
+        "latitude",
+        "longitude",
+        "return_period_years",
+    ] {
+        ground.remove(key);
+    }
+    if is_held {
+        ground.insert("beyond", value("hold"));
+    }
     Ok(study.to_string())
 }
 

@@ -1,8 +1,11 @@
 //! The study of one object: what shakes it.
 
+use std::path::Path;
+
 use freestand::G0_M_S2;
 use freestand::code_spectrum::{CodeSpectrum, GroundType, SpectrumShape, SpectrumType};
 use freestand::decision::Looks;
+use freestand_input::file::file_name;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::notes::grouped;
@@ -64,7 +67,10 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
         Earthquake::Place(hazard) => {
             check_place(hazard)?;
             let study = of_values(&values(Hazard::Keys(hazard.clone())))?;
-            let mut shaken = of_study(study, hazard.get("site").is_some(), None);
+            let file = hazard
+                .get("spectrum")
+                .and_then(|path| file_name(Path::new(path)));
+            let mut shaken = of_study(study, hazard.get("site").is_some(), file);
             if let Some(warnings) = of_ground(&shaken.study, &request.floor) {
                 shaken.warnings = warnings;
             }
@@ -145,7 +151,12 @@ fn looks_of(first: u32, most: u32, confidence: f64) -> Result<Looks, Problem> {
 /// All of it, under its own keys and without the keys of a study.
 pub fn check_place(hazard: &Words) -> Result<(), Problems> {
     let name = hazard.get("place").unwrap_or_default();
+    let has_file = hazard.get("spectrum").is_some();
     let earthquake = |problem: Problem| {
+        // The place is then a site of the file.
+        if has_file {
+            return problem;
+        }
         if problem.is_about("return_period_years")
             && Place::find(name).is_some_and(|place| !place.hazard.takes_return_period())
         {

@@ -57,6 +57,7 @@ def check_object(
     tolerance_g: float | None = None,
     tolerance_duration_s: float | None = None,
     place: str | None = None,
+    spectrum: PathLike | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
     fault_distance_m: float | None = None,
@@ -116,6 +117,9 @@ def check_object(
         Shock that it withstands [g], and the duration of the pulse [s].
     place, site : str, optional
         A place with the hazard of its code, and the class of its site.
+    spectrum : path, optional
+        A spectrum to use instead: a table, or a file of OpenQuake, USGS, EFEHR, AFAD or GEM, in which `place` is the site and
+        `return_period_years` chooses the spectrum.
     return_period_years : float, optional
         Return period of the hazard [years].
     fault_distance_m, fault_magnitude : float, optional
@@ -172,7 +176,7 @@ def check_object(
         worlds=worlds, seed=seed, units="si", diameter_m=diameter_m, feet=feet, scan_unit=scan_unit, scan_base=scan_base,
         scan_error_m=scan_error_m, scan_hull=flag("scan_hull", scan_hull), stand_on=stand_on,
     )  # fmt: skip
-    files: Files = {}
+    files: Files = {"spectrum": (spectrum, None)}
     files.update(study_file(study))
     if scan is not None:
         files["scan"] = (scan, None)
@@ -452,6 +456,7 @@ def assess(
     resume: bool = False,
     progress: Progress | None = None,
     place: str | None = None,
+    spectrum: PathLike | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
     fault_distance_m: float | None = None,
@@ -492,6 +497,9 @@ def assess(
         Called with (stage, done, total) as the work goes on.
     place, site : str, optional
         A place with the hazard of its code, in place of that of the study, and the class of its site.
+    spectrum : path, optional
+        A spectrum to use instead: a table, or a file of OpenQuake, USGS, EFEHR, AFAD or GEM, in which `place` is the site and
+        `return_period_years` chooses the spectrum.
     return_period_years : float, optional
         Return period of the hazard [years].
     fault_distance_m, fault_magnitude : float, optional
@@ -530,8 +538,8 @@ def assess(
         resume=flag("resume", resume), budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
     )  # fmt: skip
     files = study_file(study) | {
-        "columns": (columns, None), "library": (library, None), "cushion_library": (cushion_library, None),
-        "restraints": (restraints, None),
+        "spectrum": (spectrum, None), "columns": (columns, None), "library": (library, None),
+        "cushion_library": (cushion_library, None), "restraints": (restraints, None),
     }  # fmt: skip
     _check_progress(progress)
     folder, own = _folder(out)
@@ -553,6 +561,7 @@ def run(
     threads: int | None = None,
     progress: Progress | None = None,
     place: str | None = None,
+    spectrum: PathLike | None = None,
     site: str | None = None,
     return_period_years: float | None = None,
     parquet: bool = False,
@@ -572,6 +581,9 @@ def run(
         Called with (stage, done, total) as the work goes on.
     place, site : str, optional
         A place with the hazard of its code, in place of that of the study, and the class of its site.
+    spectrum : path, optional
+        A spectrum to use instead: a table, or a file of OpenQuake, USGS, EFEHR, AFAD or GEM, in which `place` is the site and
+        `return_period_years` chooses the spectrum.
     return_period_years : float, optional
         Return period of the hazard [years].
     parquet : bool, default False
@@ -594,9 +606,10 @@ def run(
     )  # fmt: skip
     _check_progress(progress)
     folder, own = _folder(out)
+    files = study_file(study) | {"spectrum": (spectrum, None)}
     with removed_on_failure(own):
         into = (folder, bool(flag("force", force)))
-        text = _freestand.run(asked, study_file(study), into, threads_given(threads), progress)
+        text = _freestand.run(asked, files, into, threads_given(threads), progress)
         result = RunResult._of(text)
     result._in(folder, own)
     warn(result.warnings)
@@ -659,6 +672,7 @@ def risk(
     outcomes: Any = None,
     hazard: PathLike | None = None,
     hazard_power: str | None = None,
+    place: str | None = None,
     hazard_code: str | None = None,
     hazard_im: str | None = None,
     site: str | None = None,
@@ -690,9 +704,11 @@ def risk(
     outcomes : path or table, optional
         Runs to which curves are fitted, in place of `fragility`.
     hazard : path, optional
-        Hazard curve (CSV).
+        Hazard curve: a table of one's own, or a file of OpenQuake, USGS, EFEHR, AFAD or NTC.
     hazard_power : str, optional
         A hazard curve as "k0=1e-4 /yr, k=2.5, reference=1 m/s", in place of `hazard`.
+    place : str, optional
+        A place whose return periods are the hazard, in place of `hazard`; with `hazard` the site of that file.
     hazard_code : str, optional
         A code, with `site`, `hazard_factor` and `fault_distance_m`, in place of `hazard`.
     hazard_im : str, optional
@@ -734,7 +750,7 @@ def risk(
     ['cabinet']
     """
     asked = given(
-        hazard_power=hazard_power, hazard_code=hazard_code, hazard_im=hazard_im, site=site,
+        hazard_power=hazard_power, place=place, hazard_code=hazard_code, hazard_im=hazard_im, site=site,
         hazard_factor=hazard_factor, fault_distance_m=fault_distance_m, site_deg=site_deg, at=at, fit=fit,
         bootstrap=bootstrap, seed=seed, budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
         accepted_rate=accepted_rate, years=years, sheet=sheet, edit=edits,

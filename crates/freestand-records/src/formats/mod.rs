@@ -35,6 +35,7 @@ use std::path::Path;
 
 use crate::motion_file::{Reading, doubts};
 use crate::notes::printable;
+use crate::tables::hazard;
 use crate::text::lines::check_text;
 use crate::text::sensitivity::not_in_volts;
 use freestand_input::file::load;
@@ -132,6 +133,11 @@ const SNIFFED_BYTES: usize = 64 << 10;
 fn reader(bytes: &mut Vec<u8>, options: &ReadOptions) -> Result<Reader, Problem> {
     let mut family = BINARY.iter().find(|(recognises, _)| recognises(bytes));
     if family.is_none() {
+        if let Some(format) = hazard::recognised(bytes) {
+            let message = format!("is a hazard file ({}), not a record", format.name());
+            let hint = "name it as `spectrum` beside a place, or as `hazard` of freestand risk";
+            return Err(Problem::format(message, hint));
+        }
         check_text(bytes)?;
         let head = &bytes[..bytes.len().min(SNIFFED_BYTES)];
         family = FAMILIES.iter().find(|(recognises, _)| recognises(head));

@@ -1,8 +1,9 @@
-//! Tables that are not motions: buildings, tests of cushions and of objects, response spectra.
+//! Tables that are not motions: buildings, tests of cushions and of objects, response spectra, seismic hazard.
 
 mod building;
 mod cushion_curve;
 mod damage_points;
+pub mod hazard;
 pub mod laboratory;
 mod spectrum;
 

@@ -239,6 +239,9 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
                 .place_name()
                 .map_or_else(|| "not given".to_owned(), |name| format!("{name}{confirm}")),
         );
+        if let Some(place) = &target.place {
+            fact("Hazard from", place.provenance());
+        }
         fact("Code", target.one_line());
         fact("Site", target.site_words());
         let years = target.spectrum.return_period_years();

@@ -2,7 +2,7 @@
 
 use freestand::fragility::NoInterval;
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, significant, some};
+use freestand_input::words::{counted, number, significant, some};
 use freestand_risk::costs::CostDoubt;
 use freestand_risk::fragility::{
     Contradiction, CurveDoubt, FitDoubt, FragilityReport, HazardDoubt, UnusedColumn,
@@ -173,6 +173,15 @@ pub(crate) fn hazard_doubt(doubt: HazardDoubt) -> String {
             count,
             "the next, stronger intensity has the same probability",
         ),
+        HazardDoubt::SiteAway { metres } => format!(
+            "hazard: the site of the file is {} km from the coordinates that were asked for",
+            number(f64::from(metres) / 1e3, 2)
+        ),
+        HazardDoubt::SlopeOfPlace => {
+            "the hazard goes through the return periods of the place: the interval of a rate counts that its slope may be \
+             smaller or larger by 0.5"
+                .to_owned()
+        }
         HazardDoubt::DesignAccelerations => {
             "the rates are those of design accelerations of a code, without its minimum and maximum: they are not a \
              hazard study of the site"

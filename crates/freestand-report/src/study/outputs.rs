@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::figures::figures;
 use crate::study::page::report;
 use crate::study::tables::{profile_table, srs_table, statistics_table, urs_table};
-use freestand::code_spectrum::PeriodCode;
+use freestand::code_spectrum::{CodeSpectrum, OutOfRange, PeriodCode};
 use freestand_input::problem::{Problem, Problems};
 use freestand_output::folder::{Committed, OutputFolder};
 use freestand_output::json::document;
@@ -197,7 +197,11 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         Ground::Synthetic(synthetic) => {
             let seeded = with_seed(&toml, synthetic.seed)?;
             if synthetic.target.table_csv.is_some() {
-                with_spectrum(&seeded, TARGET_NAME)
+                let is_held = matches!(
+                    &synthetic.target.spectrum,
+                    CodeSpectrum::Table(table) if table.out_of_range() == OutOfRange::Hold
+                );
+                with_spectrum(&seeded, TARGET_NAME, is_held)
             } else {
                 Ok(seeded)
             }

@@ -18,9 +18,9 @@ pub(super) fn rates_of(study: &Study) -> Option<Hazard> {
     let levels: Vec<(u32, f64)> = match (&target.spectrum, place) {
         (CodeSpectrum::As1170_4(_), _) => probability_factors().to_vec(),
         (CodeSpectrum::Nzs1170_5(_), _) => return_period_factors().to_vec(),
-        (CodeSpectrum::Ts1170_5(_), Some(PlaceHazard::Ts1170_5 { table })) => {
-            let plateau = |level: TsLevel| (level.years, level.values[TS_CLASS].sas_g);
-            TsLevel::all(table).map(plateau).collect()
+        (CodeSpectrum::Ts1170_5(_), Some(PlaceHazard::Ts1170_5 { levels })) => {
+            let plateau = |level: &TsLevel| (level.years, level.values[TS_CLASS].sas_g);
+            levels.iter().map(plateau).collect()
         }
         (CodeSpectrum::Tbdy2018(_), Some(PlaceHazard::Tbdy2018 { ss_g, .. })) => {
             TBDY_YEARS.into_iter().zip(ss_g).collect()

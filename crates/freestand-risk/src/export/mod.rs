@@ -681,7 +681,11 @@ mod tests {
         let path = folder.path().join("hazard.csv");
         std::fs::write(&path, text_of(&exported, "hazard.csv")).unwrap();
         let read = hazard_of(
-            &HazardSource::File(path),
+            &HazardSource::File {
+                path,
+                measure: None,
+                site: Default::default(),
+            },
             HazardPlace::Stated(None),
             None,
             None,

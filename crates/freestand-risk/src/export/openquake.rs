@@ -9,7 +9,8 @@ use freestand_output::rows::csv;
 use serde_json::json;
 
 use crate::costs::CostRow;
-use crate::fragility::{AVERAGE_KEY, At, FragilityReport, Measure, MeasuredHazard};
+use crate::fragility::{At, FragilityReport, Measure, MeasuredHazard};
+use freestand_records::tables::hazard::AVERAGE_KEY;
 
 use super::{ExportDoubt, ExportObject, ExportRequest, Files, Listed, Shape, sources};
 

@@ -109,8 +109,15 @@ pub enum HazardDoubt {
     CertainPoints(usize),
     /// So many points were left out because a stronger motion is as frequent.
     EqualPoints(usize),
+    /// The site of the file is so far from the coordinates that were asked for.
+    SiteAway {
+        /// The distance \[m\].
+        metres: u32,
+    },
     /// It consists of the design accelerations of a code.
     DesignAccelerations,
+    /// It goes through the few return periods of a place.
+    SlopeOfPlace,
 }
 
 /// A column of a table that nothing reads.

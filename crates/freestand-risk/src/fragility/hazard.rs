@@ -6,11 +6,17 @@ use freestand::code_spectrum::{
     SiteClass, SubsoilClass, near_fault_ratio, probability_factors, return_period_factors,
 };
 use freestand::risk::{Hazard, HazardError, HazardPoint};
-use freestand_input::file::{InputFile, load};
+use freestand_input::file::InputFile;
+use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{Choices, counted, shortest};
+use freestand_input::words::Choices;
 use freestand_output::{answer, answer_of};
+use freestand_records::tables::hazard::{
+    Coordinates, GroundMeasure, Wanted, load_hazard, read_hazard, recognised,
+};
+use freestand_study::places::{FAR_KM, Place, PlaceHazard};
+use freestand_study::target::Target;
 
 use super::doubt::HazardDoubt;
 use super::table::{Row, RowProblems, Table};
@@ -19,8 +25,24 @@ use super::{At, Measure, measure_of};
 /// Where the hazard comes from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum HazardSource {
-    /// A CSV of our own or of OpenQuake.
-    File(PathBuf),
+    /// A CSV of our own, or a file that people download.
+    File {
+        /// The file.
+        path: PathBuf,
+        /// Which of its curves; `None`: that of the fragilities.
+        measure: Option<Measure>,
+        /// Which of its sites.
+        site: Wanted,
+    },
+    /// The return periods of a place.
+    Place {
+        /// Its name or its coordinates.
+        name: String,
+        /// Site class of its code.
+        site: Option<String>,
+        /// `pga` or `sa(T)`; `None`: that of the fragilities.
+        measure: Option<Measure>,
+    },
     /// `k0=1e-4 /yr, k=2.5, reference=1 m/s`, of a measure.
     PowerLaw {
         /// The text.
@@ -79,6 +101,8 @@ pub struct MeasuredHazard {
     pub file: Option<InputFile>,
     /// Whether coordinates choose one of its sites.
     pub has_sites: bool,
+    /// The same curve with other slopes, where few points leave its slope open.
+    pub tilted: Vec<Hazard>,
     /// What to know beside it.
     pub doubts: Vec<HazardDoubt>,
 }
@@ -188,7 +212,23 @@ pub(crate) fn hazard_of(
         of_outcomes @ HazardPlace::OfOutcomes(_) => of_outcomes,
     };
     match source {
-        HazardSource::File(path) => from_file(&load(path)?, path, place, site_deg),
+        HazardSource::File {
+            path,
+            measure,
+            site,
+        } => {
+            let wanted = Wanted {
+                at: site_deg.map(on_globe).or(site.at),
+                ..site.clone()
+            };
+            let measure = measure.or(of_curves.map(|one| one.0));
+            from_file(&load_hazard(path)?, path, place, wanted, measure)
+        }
+        HazardSource::Place {
+            name,
+            site,
+            measure,
+        } => of_place(name, site.as_deref(), measure_of(*measure)?),
         HazardSource::PowerLaw { text, measure } => {
             let (measure, place) = (measure_of(*measure)?, place_of(*measure));
             let hazard =
@@ -200,6 +240,7 @@ pub(crate) fn hazard_of(
                 at,
                 file: None,
                 has_sites: false,
+                tilted: Vec::new(),
                 doubts: Vec::new(),
             })
         }
@@ -219,28 +260,34 @@ pub(crate) fn hazard_of(
     }
 }
 
-const HINT: &str = "write \"pgv [m/s],annual_rate\" with rising intensities and falling rates, or give a \
-                    hazard_curve-*.csv of OpenQuake";
+/// A longitude and a latitude.
+fn on_globe((longitude_deg, latitude_deg): (f64, f64)) -> Coordinates {
+    Coordinates {
+        latitude_deg,
+        // Some files count from 0 to 360.
+        longitude_deg: (longitude_deg + 180.0).rem_euclid(360.0) - 180.0,
+    }
+}
+
+const HINT: &str = "write \"pgv [m/s],annual_rate\" with rising intensities and falling rates, or give a curve \
+                    of OpenQuake, USGS or EFEHR";
 
 fn from_file(
     bytes: &[u8],
     path: &Path,
     place: HazardPlace,
-    site_deg: Option<(f64, f64)>,
+    wanted: Wanted,
+    measure: Option<Measure>,
 ) -> Result<MeasuredHazard, Problems> {
-    let mut problems = RowProblems::default();
-    let table = Table::read(bytes, path, HINT, &mut problems)?;
-    let is_openquake = table
-        .headings
-        .iter()
-        .any(|heading| heading.name.starts_with("poe-"));
     let file = Some(InputFile::new(path, bytes));
-    if is_openquake {
+    if recognised(bytes).is_some() {
         return Ok(MeasuredHazard {
             file,
-            ..openquake(&table, problems, place, site_deg)?
+            ..downloaded(bytes, path, place, wanted, measure)?
         });
     }
+    let mut problems = RowProblems::default();
+    let table = Table::read(bytes, path, HINT, &mut problems)?;
     let rates = table.needed("annual_rate")?;
     let (column, measure, factor) = measure_of(&table)?;
     let mut before: Option<(&Row, HazardPoint)> = None;
@@ -272,6 +319,7 @@ fn from_file(
         at: place.of(measure)?,
         file,
         has_sites: false,
+        tilted: Vec::new(),
         doubts: Vec::new(),
     })
 }
@@ -300,237 +348,210 @@ fn disorder(table: &Table, above: Cell, at: Cell, error: HazardError) -> Problem
     table.cell_problem(at.row, at.column, &message).hint(hint)
 }
 
-/// The key in the comment above the headings that states the periods of AvgSA, as `sa_avg(0.2:2)`;
-/// we write it, and OpenQuake keeps what it does not know.
-pub(crate) const AVERAGE_KEY: &str = "measure";
+/// The measure of a file's curve.
+fn of_ground(measure: GroundMeasure) -> Measure {
+    match measure {
+        GroundMeasure::Pga => Measure::Pga,
+        GroundMeasure::Pgv => Measure::Pgv,
+        GroundMeasure::Sa { period_s } => Measure::Sa { period_s },
+        GroundMeasure::SaAverage { from_s, to_s } => Measure::SaAverage { from_s, to_s },
+    }
+}
 
-/// A hazard curve of OpenQuake: probabilities of exceedance in an investigation time.
-fn openquake(
-    table: &Table,
-    rows: RowProblems,
+fn to_ground(measure: Measure) -> Option<GroundMeasure> {
+    match measure {
+        Measure::Pga => Some(GroundMeasure::Pga),
+        Measure::Pgv => Some(GroundMeasure::Pgv),
+        Measure::Sa { period_s } => Some(GroundMeasure::Sa { period_s }),
+        Measure::SaAverage { from_s, to_s } => Some(GroundMeasure::SaAverage { from_s, to_s }),
+        _ => None,
+    }
+}
+
+/// From so far away it is said \[km\]: coordinates of files are rounded to some metres.
+const AWAY_KM: f64 = 0.1;
+
+/// The curve of a file that people download: of several the one of this measure.
+fn downloaded(
+    bytes: &[u8],
+    path: &Path,
     place: HazardPlace,
-    site_deg: Option<(f64, f64)>,
+    wanted: Wanted,
+    measure: Option<Measure>,
 ) -> Result<MeasuredHazard, Problems> {
-    let comment = table.comments.join(",");
-    let stated = |key: &str| {
-        let (_, rest) = comment.split_once(&format!("{key}="))?;
-        let end = rest.find([',', '"']).unwrap_or(rest.len());
-        Some(rest.get(..end)?.trim().trim_matches('\'').to_owned())
+    let wanted = Wanted {
+        measure: measure.and_then(to_ground),
+        ..wanted
     };
-    let lost = |key: &str| {
-        let message = format!("the comment above the headings does not state {key}");
-        table
-            .header_problem(message)
-            .hint("give the file as OpenQuake wrote it, with its first line")
-    };
-    let years = stated("investigation_time").ok_or_else(|| lost("investigation_time"))?;
-    let years = years
-        .parse::<f64>()
-        .ok()
-        .filter(|years| *years > 0.0 && years.is_finite())
-        .ok_or_else(|| {
-            let message = format!(
-                "the investigation_time \"{}\" is not a number of years above 0",
-                shorten(&years)
-            );
-            table
-                .header_problem(message)
-                .hint("give the file as OpenQuake wrote it, with its first line")
-        })?;
-    let imt = stated("imt").ok_or_else(|| lost("imt"))?;
-    let (measure, factor) = match imt.as_str() {
-        "PGA" => (Measure::Pga, 1.0),
-        "PGV" => (Measure::Pgv, 0.01),
-        "AvgSA" => {
-            // OpenQuake takes the periods from the job and does not write them: without them
-            // nothing tells whether it is the measure of the outcomes.
-            let text = stated(AVERAGE_KEY).unwrap_or_default();
-            let measure = Measure::parse(&text)
-                .filter(|measure| matches!(measure, Measure::SaAverage { .. }));
-            let measure = measure.ok_or_else(|| {
-                let message = if text.is_empty() {
-                    format!("the comment above the headings does not state the periods of AvgSA as {AVERAGE_KEY}")
-                } else {
-                    format!("the {AVERAGE_KEY} \"{}\" of AvgSA does not state its periods", shorten(&text))
-                };
-                let hint = format!(
-                    "add the shortest and the longest period of the job in s to the comment, \
-                     such as imt='AvgSA', {AVERAGE_KEY}='sa_avg(0.2:2)'"
-                );
-                table.header_problem(message).hint(hint)
-            })?;
-            (measure, 1.0)
-        }
-        other => match other
-            .starts_with("SA")
-            .then(|| Measure::parse(other))
-            .flatten()
-        {
-            Some(measure) => (measure, 1.0),
-            None => {
-                let message = format!(
-                    "the measure {} is not one of PGA, PGV, SA and AvgSA",
-                    shorten(other)
-                );
-                let problem = table
-                    .header_problem(message)
-                    .hint("export hazard curves of PGA, PGV, SA or AvgSA");
-                return Err(problem.into());
-            }
-        },
-    };
-    let row = table.row_of_site(rows, site_deg)?;
-    let mut problems = Problems::default();
-    let (mut points, mut certain, mut equal): (Vec<HazardPoint>, usize, usize) = (Vec::new(), 0, 0);
-    let mut before: Option<usize> = None;
-    for (column, heading) in table.headings.iter().enumerate() {
-        let Some(text) = heading.name.strip_prefix("poe-") else {
-            continue;
-        };
-        let level = text
-            .parse::<f64>()
-            .ok()
-            .filter(|level| *level > 0.0 && level.is_finite())
-            .ok_or_else(|| {
-                let message = format!(
-                    "column {}: \"{}\" states no intensity",
-                    column + 1,
-                    shorten(&heading.name)
-                );
-                table
-                    .header_problem(message)
-                    .hint("write poe- and an intensity above 0, such as poe-0.1")
-            });
-        let poe = table.non_negative(row, column).and_then(|poe| {
-            let hint = "write the probability that the intensity is exceeded, from 0 to 1";
-            let problem = || {
-                table
-                    .cell_problem(row, column, &format!("{poe} is not a probability"))
-                    .hint(hint)
+    let site = read_hazard(bytes, path, &wanted)?;
+    let names: Vec<String> = site
+        .curves
+        .iter()
+        .map(|curve| of_ground(curve.measure).name())
+        .collect();
+    let one = match (site.curves.as_slice(), measure) {
+        ([one], _) => Ok(one),
+        ([], _) => {
+            let message = match site.code {
+                Some(_) => "the file has design values, which have no return period",
+                None => "the file has one return period alone, and a hazard curve needs two",
             };
-            if poe > 1.0 { Err(problem()) } else { Ok(poe) }
+            let hint = "give a file with a hazard curve, or with several return periods";
+            Err(Problem::value(message, hint).of(&["hazard"]))
+        }
+        (_, None) => {
+            let message = format!("the file has curves of {}", names.join(", "));
+            let hint = format!("name one: `hazard_im = \"{}\"`", names[0]);
+            Err(Problem::value(message, hint).of(&["hazard_im"]))
+        }
+        (all, Some(wanted)) => {
+            let found = all.iter().find(|one| of_ground(one.measure) == wanted);
+            found.ok_or_else(|| {
+                let message = format!(
+                    "the file has no curve of {}, but of {}",
+                    wanted.name(),
+                    names.join(", ")
+                );
+                let hint = "give outcomes for one of its measures, or another file";
+                Problem::value(message, hint).of(&["hazard"])
+            })
+        }
+    };
+    let one = one.map_err(|problem| problem.in_file(path))?;
+    let points = one
+        .points
+        .iter()
+        .map(|&(intensity, annual_rate)| HazardPoint {
+            intensity,
+            annual_rate,
         });
-        let (Some(level), Some(poe)) = (problems.keep(level), problems.keep(poe)) else {
-            continue;
-        };
-        if poe == 1.0 {
-            certain += 1;
-            continue;
-        } else if poe == 0.0 {
-            continue;
-        }
-        let point = HazardPoint {
-            intensity: factor * level,
-            annual_rate: -(-poe).ln_1p() / years,
-        };
-        let last = points.last().copied();
-        // OpenQuake writes seven digits, so neighbours may have the same rate: the stronger motions
-        // are then as frequent as the weaker ones, and their point is kept.
-        if last.is_some_and(|last| {
-            last.annual_rate == point.annual_rate && last.intensity < point.intensity
-        }) {
-            equal += 1;
-            points.pop();
-        } else if let (Some(last), Some(above)) = (last, before)
-            && let Err(error) = Hazard::points(vec![last, point])
-        {
-            problems.push(match error {
-                HazardError::NotFalling { .. } => {
-                    let [above, here] = [above, column].map(|column| Cell { row, column });
-                    disorder(table, above, here, error)
-                }
-                _ => {
-                    let message = format!(
-                        "column {}: {}",
-                        column + 1,
-                        disorder_of_levels(table, above, column)
-                    );
-                    table
-                        .header_problem(message)
-                        .hint("sort the columns by rising intensity, and give each intensity once")
-                }
-            });
-            continue;
-        }
-        before = Some(column);
-        points.push(point);
-    }
-    problems.finish(Some(()))?;
-    if points.len() < 2 {
-        let message = format!(
-            "{} of the site {} a probability between 0 and 1, but a hazard curve needs two",
-            counted(points.len(), "intensity"),
-            if points.len() == 1 { "has" } else { "have" }
-        );
-        let hint =
-            "export the curve with weaker or stronger intensities, or a shorter investigation time";
-        return Err(table.row_problem(row, message).hint(hint).into());
-    }
-    let hazard =
-        Hazard::points(points).map_err(|error| table.row_problem(row, error.to_string()))?;
+    let measure = of_ground(one.measure);
+    let hazard = Hazard::points(points.collect())
+        .map_err(|error| Problem::value(error.to_string(), HINT).in_file(path))?;
+    let away = site.distance_km.filter(|km| *km >= AWAY_KM);
     let doubts = [
-        (certain, HazardDoubt::CertainPoints(certain)),
-        (equal, HazardDoubt::EqualPoints(equal)),
+        (one.certain > 0).then_some(HazardDoubt::CertainPoints(one.certain)),
+        (one.equal > 0).then_some(HazardDoubt::EqualPoints(one.equal)),
+        away.map(|km| HazardDoubt::SiteAway {
+            metres: (1e3 * km).round() as u32,
+        }),
     ];
-    let doubts = doubts.into_iter().filter(|(count, _)| *count > 0);
     Ok(MeasuredHazard {
         hazard,
         measure,
         at: place.of(measure)?,
         file: None,
         has_sites: true,
-        doubts: doubts.map(|(_, doubt)| doubt).collect(),
+        tilted: Vec::new(),
+        doubts: doubts.into_iter().flatten().collect(),
     })
 }
 
-fn disorder_of_levels(table: &Table, before: usize, here: usize) -> String {
-    let [before, here] = [before, here].map(|i| {
-        table
-            .headings
-            .get(i)
-            .map_or("", |heading| heading.name.as_str())
-    });
-    format!("\"{}\" is not above \"{}\"", shorten(here), shorten(before))
+/// The return period about which the curve of a place is tilted: that of its code \[years\].
+const PIVOT_YEARS: f64 = 475.0;
+/// By how much the slope of the curve of a place is open: those of the grids of New Zealand (1.9 to 2.5) and of Türkiye (1.9 to
+/// 3.0) lie within it of their medians, 2.2 and 2.5.
+const OPEN_SLOPE: f64 = 0.5;
+
+/// The spectrum of a place at each of its return periods, at one period.
+fn of_place(name: &str, site: Option<&str>, measure: Measure) -> Result<MeasuredHazard, Problems> {
+    let at_key = |message: String, hint: &str| Problem::value(message, hint).of(&["place"]);
+    let place = Place::look_up(name, None).map_err(|why| {
+        let bring = "give a hazard curve of the place as `hazard`";
+        why.problem(Some("place"), name, bring).of(&["place"])
+    })?;
+    let period_s = period_of(measure)?;
+    let factor = match place.hazard {
+        PlaceHazard::As1170_4 { hazard_factor } => {
+            Some((HazardCode::As1170_4, "De", hazard_factor))
+        }
+        PlaceHazard::Nzs1170_5 { hazard_factor } => {
+            Some((HazardCode::Nzs1170_5, "C", hazard_factor))
+        }
+        _ => None,
+    };
+    let years = place.hazard.return_periods();
+    let read = if let Some((code, class, factor)) = factor {
+        // As in `near_fault_ratio`, a fault counts up to 20 km.
+        let km = place.fault_distance_km.filter(|km| *km < FAR_KM);
+        of_code(code, site.unwrap_or(class), factor, km, measure)?
+    } else if let [_, _, ..] = years[..] {
+        let mut points: Vec<HazardPoint> = Vec::new();
+        for years in years {
+            let mut words: Words = [("place", name)].into_iter().collect();
+            words.set("return_period_years", years.to_string());
+            if let Some(site) = site {
+                words.set("site", site);
+            }
+            let target = Target::resolve_place(&words)?;
+            let intensity = target.spectrum.sa_g(period_s);
+            // Values with two digits may be equal at the shortest return periods: the rarer one counts.
+            if points
+                .last()
+                .is_some_and(|last| last.intensity >= intensity)
+            {
+                points.pop();
+            }
+            points.push(HazardPoint {
+                intensity,
+                annual_rate: 1.0 / f64::from(years),
+            });
+        }
+        MeasuredHazard {
+            hazard: Hazard::points(points).map_err(|error| at_key(error.to_string(), HINT))?,
+            measure,
+            at: At::Ground,
+            file: None,
+            has_sites: false,
+            tilted: Vec::new(),
+            doubts: vec![HazardDoubt::DesignAccelerations],
+        }
+    } else {
+        let message = format!(
+            "the values of {} are for one return period alone, or for none, and a hazard curve needs two",
+            place.told_name()
+        );
+        return Err(at_key(message, "give a hazard curve of the place as `hazard`").into());
+    };
+    let tilted = match &read.hazard {
+        Hazard::Points(points) => [-OPEN_SLOPE, OPEN_SLOPE]
+            .into_iter()
+            .filter_map(|by| tilted(points, by))
+            .collect(),
+        Hazard::PowerLaw { .. } => Vec::new(),
+    };
+    let mut doubts = read.doubts.clone();
+    doubts.push(HazardDoubt::SlopeOfPlace);
+    Ok(MeasuredHazard {
+        tilted,
+        doubts,
+        ..read
+    })
 }
 
-impl Table {
-    /// The row of a site, or the only one.
-    fn row_of_site(
-        &self,
-        rows: RowProblems,
-        site_deg: Option<(f64, f64)>,
-    ) -> Result<&Row, Problems> {
-        let columns = [(self.needed("lon")?, 360.0), (self.needed("lat")?, 90.0)];
-        let sites = self.each_row(rows, |row, problems| {
-            let [lon, lat] =
-                columns.map(|(column, most)| problems.keep(self.degrees(row, column, most)));
-            Some((row, lon?, lat?))
-        })?;
-        // Coordinates are written with five decimals.
-        let is_it = |(_, lon, lat): &&(&Row, f64, f64)| {
-            site_deg.is_none_or(|site| (lon - site.0).abs() < 1e-4 && (lat - site.1).abs() < 1e-4)
-        };
-        let found: Vec<_> = sites.iter().filter(is_it).collect();
-        match (found.as_slice(), sites.first()) {
-            ([(row, _, _)], _) => Ok(row),
-            (found, Some((_, lon, lat))) => {
-                let message = match (site_deg, found.len()) {
-                    (Some((lon, lat)), 0) => format!(
-                        "the file has no site at {},{}",
-                        shortest(lon),
-                        shortest(lat)
-                    ),
-                    (_, many) => format!("the file has {}", counted(many, "site")),
-                };
-                let example = format!("{},{}", shortest(*lon), shortest(*lat));
-                let hint = format!(
-                    "name one site of the file, such as `site_coordinates = \"{example}\"`"
-                );
-                Err(self.header_problem(message).hint(hint).into())
-            }
-            (_, None) => Err(self
-                .header_problem("the file has no site".to_owned())
-                .into()),
+/// The curve about its point of 475 years with a slope that is larger by so much.
+fn tilted(points: &[HazardPoint], by: f64) -> Option<Hazard> {
+    let far = |point: &HazardPoint| (point.annual_rate * PIVOT_YEARS).ln().abs();
+    let pivot = points
+        .iter()
+        .min_by(|a, b| far(a).total_cmp(&far(b)))?
+        .intensity;
+    let points = points.iter().map(|point| HazardPoint {
+        annual_rate: point.annual_rate * (point.intensity / pivot).powf(-by),
+        ..*point
+    });
+    Hazard::points(points.collect()).ok()
+}
+
+/// The period of a measure that codes have; 0: the peak \[s\].
+fn period_of(measure: Measure) -> Result<f64, Problem> {
+    match measure {
+        Measure::Pga => Ok(0.0),
+        Measure::Sa { period_s } => Ok(period_s),
+        _ => {
+            let message = format!("a code has no {}", measure.name());
+            let hint = "give `hazard_im = \"pga\"` or `hazard_im = \"sa(0.5)\"`";
+            Err(Problem::value(message, hint).of(&["hazard_im"]))
         }
     }
 }
@@ -609,18 +630,7 @@ fn of_code(
     fault_distance_km: Option<f64>,
     measure: Measure,
 ) -> Result<MeasuredHazard, Problem> {
-    let period_s = match measure {
-        Measure::Pga => 0.0,
-        Measure::Sa { period_s } => period_s,
-        _ => {
-            let message = format!("a code has no {}", measure.name());
-            return Err(Problem::value(
-                message,
-                "give `hazard_im = \"pga\"` or `hazard_im = \"sa(0.5)\"`",
-            )
-            .of(&["hazard_im"]));
-        }
-    };
+    let period_s = period_of(measure)?;
     let class = |error: freestand::code_spectrum::CodeSpectrumError| {
         Problem::value(error.to_string(), "name the class as the code does").named("site")
     };
@@ -655,6 +665,7 @@ fn of_code(
         at: At::Ground,
         file: None,
         has_sites: false,
+        tilted: Vec::new(),
         doubts: vec![HazardDoubt::DesignAccelerations],
     })
 }

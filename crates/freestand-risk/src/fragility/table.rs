@@ -337,13 +337,6 @@ impl Table {
         .hint("correct the cell, or leave out the row")
     }
 
-    /// A problem with a whole row.
-    pub(crate) fn row_problem(&self, row: &Row, message: String) -> Problem {
-        Problem::value(message, self.hint)
-            .in_file(&self.path)
-            .at_line(row.line)
-    }
-
     /// The text of a cell.
     pub(crate) fn text<'a>(&self, row: &'a Row, column: usize) -> &'a str {
         row.cells.get(column).map_or("", String::as_str)

@@ -233,7 +233,14 @@ fn a_caution_leaves_a_loss_without_a_bound() {
                 caution,
                 ..curves(&[(LimitState::Overturns, kind)])
             };
-            ObjectRisk::new(&one, None, Some(&cost(0.0, 1.0)), &hazard, 50.0, Some(1.0))
+            ObjectRisk::new(
+                &one,
+                None,
+                Some(&cost(0.0, 1.0)),
+                (&hazard, &[]),
+                50.0,
+                Some(1.0),
+            )
         };
         let (without, with) = (of(None), of(Some(TooMild::Glides)));
         assert!(

@@ -6,8 +6,10 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{canonical, number};
 
+use super::cities::cities;
 use super::rows::by_hand;
-use super::{Confidence, Coordinates, Place, PlaceHazard, grid, places};
+use super::{Confidence, Coordinates, Place, PlaceHazard, Size, grid, places};
+use freestand_records::tables::hazard::Wanted;
 
 /// Up to here the values of a place hold for coordinates \[km\]: about the width of a town, and half the step of the grids
 /// from which the values of most places are.
@@ -20,12 +22,17 @@ const NEAR_KM: f64 = 300.0;
 pub enum NotFound {
     /// Its name is not in the tables; names that a slip of the pen makes of it.
     Unknown(Vec<String>),
+    /// A city without values: its name, and the nearest places with values, each with its distance \[km\].
+    NoValues(String, Vec<(String, f64)>),
     /// Several places have this name: their names in full.
     Several(Vec<String>),
-    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\].
-    Far(Vec<(String, f64)>),
+    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], and the coordinates in the
+    /// other order, where places are near those alone.
+    Far(Vec<(String, f64)>, Option<Coordinates>),
     /// Coordinates that do not exist.
     NoCoordinates,
+    /// Coordinates that exist in the other order alone.
+    Swapped(Coordinates),
     /// One value for the place would be wrong: why.
     Refused(&'static str),
 }
@@ -68,7 +75,7 @@ impl NotFound {
     pub fn problem(&self, key: Option<&str>, text: &str, bring: &str) -> Problem {
         let text = shorten(text);
         let text = match self {
-            Self::Far(_) | Self::NoCoordinates => text.to_string(),
+            Self::Far(..) | Self::NoCoordinates | Self::Swapped(_) => text.to_string(),
             _ => format!("\"{text}\""),
         };
         let shown = key.map_or_else(|| text.clone(), |key| format!("`{key}` {text}"));
@@ -91,21 +98,33 @@ impl NotFound {
                 let message = format!("{shown} is the name of {} places", names.len());
                 Problem::value(message, format!("say which: {}", quoted(names)))
             }
-            Self::Far(near) => {
+            Self::NoValues(city, near) => {
+                let message = format!("no hazard is known for {city}");
+                let near = away(near);
+                Problem::value(message, format!("known nearest to it: {near}; {bring}"))
+            }
+            Self::Far(_, Some(swapped)) => Problem::value(
+                format!("no hazard is known at {shown}"),
+                format!(
+                    "the latitude comes first: did you mean \"{}\"?",
+                    swapped.words()
+                ),
+            ),
+            Self::Far(near, None) => {
                 let message = format!("no hazard is known at {shown}");
-                let near: Vec<String> = near
-                    .iter()
-                    .map(|(name, km)| format!("{name} ({} km away)", number(*km, 2)))
-                    .collect();
                 if near.is_empty() {
                     return Problem::value(message, bring);
                 }
-                let hint = format!(
-                    "the nearest places with values are {}; {bring}",
-                    near.join(", ")
-                );
-                Problem::value(message, hint)
+                let near = away(near);
+                Problem::value(
+                    message,
+                    format!("the nearest places with values are {near}; {bring}"),
+                )
             }
+            Self::Swapped(at) => Problem::value(
+                format!("{shown} are no coordinates"),
+                format!("the latitude comes first: did you mean \"{}\"?", at.words()),
+            ),
             Self::NoCoordinates => Problem::value(
                 format!("{shown} are no coordinates"),
                 "give the latitude (-90 to 90), then the longitude (-180 to 180), such as \"41.01, 28.97\"",
@@ -113,6 +132,39 @@ impl NotFound {
             Self::Refused(why) => Problem::value(*why, bring),
         }
     }
+}
+
+/// Places with their distances.
+fn away(near: &[(String, f64)]) -> String {
+    let near: Vec<String> = near
+        .iter()
+        .map(|(name, km)| format!("{name} ({} km away)", number(*km, 2)))
+        .collect();
+    near.join(", ")
+}
+
+/// What there is at a large city that has no row of its own: a point of a grid, a place that is this city by another name, or the
+/// places that are near. `None`: no such city is known.
+fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> {
+    let city = cities().iter().find(|city| {
+        city.names.iter().any(|name| {
+            let rest = wanted.strip_prefix(name.as_str());
+            rest.is_some_and(|rest| {
+                let rest = rest.trim_start();
+                rest.is_empty() || is_country(rest, &city.country)
+            })
+        })
+    })?;
+    let name = format!("{}, {}", city.name, city.country);
+    Some(at(city.at, code).map_err(|why| match why {
+        NotFound::Far(near, _) if near.is_empty() => {
+            let first = nearest(city.at).into_iter().next();
+            let first = first.and_then(|place| Some((place.full_name(), place.distance_km?)));
+            NotFound::NoValues(name, first.into_iter().collect())
+        }
+        NotFound::Far(near, _) => NotFound::NoValues(name, near),
+        other => other,
+    }))
 }
 
 impl Place {
@@ -138,8 +190,8 @@ impl Place {
     /// # Errors
     /// Why there is none.
     pub fn look_up(text: &str, code: Option<&str>) -> Result<Self, NotFound> {
-        if two_numbers(text).is_some() {
-            return at(Coordinates::parse(text)?, code);
+        if let Some(point) = coordinates(text) {
+            return at(point?, code);
         }
         static CALLED: LazyLock<Vec<Called>> =
             LazyLock::new(|| places().iter().map(Called::new).collect());
@@ -163,7 +215,7 @@ impl Place {
             found.retain(|(_, place)| place.hazard.code() == code);
         }
         let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
-            return Err(NotFound::Unknown(near(text)));
+            return of_city(&wanted, code).unwrap_or_else(|| Err(NotFound::Unknown(near(text))));
         };
         // A city of another country may be meant as well, a parish hardly.
         found.retain(|(other, place)| {
@@ -180,8 +232,9 @@ impl Place {
             return Err(NotFound::Several(names.collect()));
         }
         // A parish may have the name of a city that is not in the table, such as La Paz.
-        if first.is_parish() && first.names().any(|name| canonical(name) == wanted) {
-            return Err(NotFound::Unknown(vec![first.full_name()]));
+        if first.size == Size::Parish && first.names().any(|name| canonical(name) == wanted) {
+            let parish = NotFound::Unknown(vec![first.full_name()]);
+            return of_city(&wanted, code).unwrap_or(Err(parish));
         }
         let mut meant = first.clone();
         if let PlaceHazard::Ntc2018 { at } = meant.hazard {
@@ -192,10 +245,10 @@ impl Place {
 
     /// 0 for the table by hand, 1 for cities, 2 for municipalities and parishes: a name means one of the lowest rank.
     fn rank(&self, row: usize) -> usize {
-        match self.country {
+        match self.size {
             _ if row < by_hand() => 0,
-            "Portugal" | "Ecuador" => 2,
-            _ => 1,
+            Size::City => 1,
+            Size::Municipality | Size::Parish => 2,
         }
     }
 }
@@ -228,54 +281,182 @@ impl Called {
     }
 }
 
-/// Whether canonical words name a country: also by its other name.
+/// Other names of countries, in canonical words: what people and post offices write.
+const OTHER_COUNTRIES: [(&str, &[&str]); 9] = [
+    ("Türkiye", &["turkey", "tr"]),
+    ("United States", &["usa", "us", "united states of america"]),
+    ("New Zealand", &["nz", "aotearoa"]),
+    ("Australia", &["au", "aus"]),
+    ("Italy", &["it", "italia"]),
+    ("Portugal", &["pt"]),
+    ("Spain", &["es", "espana"]),
+    ("Ecuador", &["ec"]),
+    ("Greece", &["gr"]),
+];
+
+/// Whether canonical words name a country: also by its other names.
 pub fn is_country(words: &str, country: &str) -> bool {
-    let other = match country {
-        "Türkiye" => "turkey",
-        "United States" => "usa",
-        _ => return words == canonical(country),
-    };
-    words == other || words == canonical(country)
+    let others = OTHER_COUNTRIES.iter().find(|(name, _)| *name == country);
+    words == canonical(country) || others.is_some_and(|(_, others)| others.contains(&words))
 }
 
-/// Two numbers with a comma or a space between them, each with its side of the equator or of Greenwich.
-fn two_numbers(text: &str) -> Option<[f64; 2]> {
-    let mut numbers = Vec::new();
-    for word in text
-        .split(|c: char| c == ',' || c == ';' || c.is_whitespace())
-        .filter(|word| !word.is_empty())
-    {
-        let (digits, sign) = match word.char_indices().last() {
-            Some((at, 'N' | 'E' | 'n' | 'e')) => (&word[..at], 1.0),
-            Some((at, 'S' | 'W' | 's' | 'w')) => (&word[..at], -1.0),
-            _ => (word, 1.0),
+/// An angle as it was written: degrees, minutes and seconds, and the letter of its side.
+#[derive(Default)]
+struct Angle {
+    parts: Vec<f64>,
+    is_negative: bool,
+    letter: Option<char>,
+    /// Whether a sign of degrees or minutes stands behind the last part, so that a smaller part may follow.
+    is_open: bool,
+}
+
+impl Angle {
+    /// Degrees; `None` for minutes or seconds of 60 and more.
+    fn degrees(&self) -> Option<f64> {
+        let [whole, smaller @ ..] = self.parts.as_slice() else {
+            return None;
         };
-        let digits = digits.trim_end_matches('°');
-        match (digits.parse::<f64>(), numbers.last_mut()) {
-            (Ok(number), _) => numbers.push(sign * number),
-            // A letter alone, behind its number.
-            (Err(_), Some(last)) if digits.is_empty() => *last *= sign,
+        if smaller.iter().any(|part| !(0.0..60.0).contains(part)) {
+            return None;
+        }
+        let rest = smaller
+            .iter()
+            .zip([60.0, 3600.0])
+            .map(|(part, by)| part / by);
+        let size = whole + rest.sum::<f64>();
+        let is_south_or_west = matches!(self.letter, Some('S' | 'W'));
+        Some(if self.is_negative != is_south_or_west {
+            -size
+        } else {
+            size
+        })
+    }
+
+    /// Whether its letter says that it is a longitude.
+    fn is_longitude(&self) -> Option<bool> {
+        self.letter.map(|letter| matches!(letter, 'E' | 'W'))
+    }
+}
+
+/// Two angles, each with its side of the equator or of Greenwich before or behind it: `41.01, 28.97`, `N41.01 E28.97`,
+/// `41°0'36"N 28°58'12"E`; `None` for a text that has other words.
+fn two_angles(text: &str) -> Option<[Angle; 2]> {
+    let mut angles: Vec<Angle> = Vec::new();
+    let mut open = Angle::default();
+    let close = |open: &mut Angle, angles: &mut Vec<Angle>| {
+        if !open.parts.is_empty() {
+            angles.push(std::mem::take(open));
+        }
+    };
+    let mut rest = text;
+    while let Some(c) = rest.chars().next() {
+        let is_number = |c: char| c.is_ascii_digit() || c == '.';
+        match c {
+            '0'..='9' | '.' | '-' | '+' | '−' => {
+                let sign = if is_number(c) { 0 } else { c.len_utf8() };
+                let end = rest[sign..]
+                    .find(|c| !is_number(c))
+                    .map_or(rest.len(), |end| sign + end);
+                let number: f64 = rest[sign..end].parse().ok()?;
+                if !open.is_open || sign > 0 {
+                    close(&mut open, &mut angles);
+                }
+                if open.parts.is_empty() {
+                    open.is_negative = matches!(c, '-' | '−');
+                }
+                open.parts.push(number);
+                open.is_open = false;
+                rest = &rest[end..];
+                continue;
+            }
+            '°' | 'º' | '\'' | '′' | '’' | '"' | '″' | '”' if !open.parts.is_empty() => {
+                open.is_open = !matches!(c, '"' | '″' | '”') && open.parts.len() < 3;
+            }
+            'N' | 'S' | 'E' | 'W' | 'n' | 's' | 'e' | 'w' => {
+                let letter = Some(c.to_ascii_uppercase());
+                match (open.parts.is_empty(), open.letter) {
+                    (_, None) => {
+                        let is_behind = !open.parts.is_empty();
+                        open.letter = letter;
+                        if is_behind {
+                            close(&mut open, &mut angles);
+                        }
+                    }
+                    (false, Some(_)) => {
+                        close(&mut open, &mut angles);
+                        open.letter = letter;
+                    }
+                    (true, Some(_)) => return None,
+                }
+            }
+            ',' | ';' => close(&mut open, &mut angles),
+            c if c.is_whitespace() => {}
             _ => return None,
         }
+        rest = &rest[c.len_utf8()..];
     }
-    numbers.try_into().ok()
+    if open.parts.is_empty() && open.letter.is_some() {
+        return None;
+    }
+    close(&mut open, &mut angles);
+    angles.try_into().ok()
 }
 
-impl Coordinates {
-    /// Latitude and longitude in degrees: `41.01, 28.97`, `41.01° N 28.97° E`, `-41.29 174.78`.
-    ///
-    /// # Errors
-    /// A text that does not say coordinates.
-    pub fn parse(text: &str) -> Result<Self, NotFound> {
-        let [latitude_deg, longitude_deg] = two_numbers(text).ok_or(NotFound::NoCoordinates)?;
-        let fine =
-            (-90.0..=90.0).contains(&latitude_deg) && (-180.0..=180.0).contains(&longitude_deg);
-        let found = Self {
-            latitude_deg,
-            longitude_deg,
-        };
-        fine.then_some(found).ok_or(NotFound::NoCoordinates)
-    }
+/// Latitude and longitude in degrees on WGS 84, the latitude first unless letters say otherwise: `41.01, 28.97`,
+/// `41.01° N 28.97° E`, `N41.01 E28.97`, `41°0'36"N 28°58'12"E`, `-41.29 174.78`. `None` for a text that is no two angles.
+///
+/// # Errors
+/// Angles that are on no globe.
+pub fn coordinates(text: &str) -> Option<Result<Coordinates, NotFound>> {
+    let [first, second] = two_angles(text)?;
+    let angles = match (first.is_longitude(), second.is_longitude()) {
+        (Some(one), Some(two)) if one == two => return Some(Err(NotFound::NoCoordinates)),
+        (Some(true), _) | (_, Some(false)) => [second, first],
+        _ => [first, second],
+    };
+    let [latitude, longitude] = angles.map(|one| one.degrees());
+    let of = |latitude_deg, longitude_deg| Coordinates {
+        latitude_deg,
+        longitude_deg,
+    };
+    Some(match latitude.zip(longitude) {
+        Some((latitude, longitude)) if is_on_globe(of(latitude, longitude)) => {
+            Ok(of(latitude, longitude))
+        }
+        Some((latitude, longitude)) if is_on_globe(of(longitude, latitude)) => {
+            Err(NotFound::Swapped(of(longitude, latitude)))
+        }
+        _ => Err(NotFound::NoCoordinates),
+    })
+}
+
+fn is_on_globe(at: Coordinates) -> bool {
+    (-90.0..=90.0).contains(&at.latitude_deg) && (-180.0..=180.0).contains(&at.longitude_deg)
+}
+
+/// Which site of a hazard file a place means: its name, its coordinates, or those of a known place.
+///
+/// # Errors
+/// Coordinates that are on no globe.
+pub fn wanted_site(place: Option<&str>) -> Result<Wanted, Problem> {
+    let Some(text) = place else {
+        return Ok(Wanted::default());
+    };
+    let (at, name) = match coordinates(text) {
+        Some(at) => {
+            let at = at.map_err(|why| why.problem(Some("place"), text, "").of(&["place"]))?;
+            (Some(at), None)
+        }
+        None => {
+            let known = Place::find(text).and_then(|place| place.coordinates);
+            (known, Some(text.to_owned()))
+        }
+    };
+    Ok(Wanted {
+        at,
+        name,
+        measure: None,
+    })
 }
 
 /// The place at a point: a known place there, else the point of a grid. Italy has a grid, so its towns are points of it.
@@ -286,7 +467,7 @@ fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
         .iter()
         .filter(|place| place.distance_km.is_some_and(|km| km <= SAME_PLACE_KM))
         .find(is_wanted);
-    let is_in_italy = here.is_none_or(|place| place.country == "Italy");
+    let is_in_italy = here.is_none_or(|place| matches!(place.hazard, PlaceHazard::Ntc2018 { .. }));
     if is_in_italy
         && code.is_none_or(|code| code == "ntc2018")
         && let Some(km) = grid::node_distance_km(point)
@@ -294,14 +475,25 @@ fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
         return Ok(on_grid(point, km));
     }
     here.cloned().ok_or_else(|| {
-        let near = near
-            .iter()
-            .filter(|place| place.distance_km.is_some_and(|km| km <= NEAR_KM));
-        let told = near
-            .take(3)
-            .filter_map(|place| Some((place.full_name(), place.distance_km?)));
-        NotFound::Far(told.collect())
+        let told = told(&near);
+        let swapped = Coordinates {
+            latitude_deg: point.longitude_deg,
+            longitude_deg: point.latitude_deg,
+        };
+        let is_swapped = || is_on_globe(swapped) && !self::told(&nearest(swapped)).is_empty();
+        let swapped = (told.is_empty() && is_swapped()).then_some(swapped);
+        NotFound::Far(told, swapped)
     })
+}
+
+/// Up to three of the nearest places, unless they are too far away.
+fn told(nearest: &[Place]) -> Vec<(String, f64)> {
+    let near = nearest
+        .iter()
+        .filter(|place| place.distance_km.is_some_and(|km| km <= NEAR_KM));
+    near.take(3)
+        .filter_map(|place| Some((place.full_name(), place.distance_km?)))
+        .collect()
 }
 
 fn on_grid(point: Coordinates, km: f64) -> Place {
@@ -315,7 +507,8 @@ fn on_grid(point: Coordinates, km: f64) -> Place {
         region: "",
         country: "Italy",
         hazard: PlaceHazard::Ntc2018 { at: point },
-        source: "NTC 2018, annex B of NTC 2008 (INGV MPS04): four nodes weighted by 1/d",
+        size: Size::City,
+        source: "NTC 2018, annex B of NTC 2008 (INGV MPS04): four nodes weighted by 1/d".into(),
         confidence: Confidence::Interpolated,
         coordinates: Some(point),
         distance_km: Some(km),

@@ -1,56 +1,27 @@
 //! Places by name or by coordinates, with the hazard that the code of their country gives them and its source.
 
+mod cities;
 mod find;
 mod grid;
 mod rows;
 
 use std::borrow::Cow;
 
-use freestand::code_spectrum::{NationalAnnex, SpectrumType, TsSite, TsValues};
+use freestand::code_spectrum::{NationalAnnex, NtcHazard, SpectrumType, TsSite, TsValues};
 use freestand_input::words::number;
 use freestand_output::answer_of;
+pub use freestand_records::tables::hazard::Coordinates;
 
-pub use find::{NotFound, is_country, nearest};
+pub use find::{NotFound, coordinates, is_country, nearest, wanted_site};
 pub use grid::{NTC_YEARS, ntc_hazard};
 pub use rows::places;
 
-/// A point on WGS 84.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Coordinates {
-    /// Latitude, north positive \[degrees\].
-    pub latitude_deg: f64,
-    /// Longitude, east positive \[degrees\].
-    pub longitude_deg: f64,
-}
-
-/// The mean radius of the Earth \[km\].
-const EARTH_KM: f64 = 6371.0;
-
-impl Coordinates {
-    /// Whether a point of the grid of Italy may lie in France, Switzerland, Austria or Slovenia: north of the plain of the
-    /// Po, or west of Savona. The grid has no border, and its cells reach some kilometres beyond it.
-    fn is_near_the_border_of_italy(self) -> bool {
-        self.latitude_deg > 45.3 || self.longitude_deg < 7.8
-    }
-
-    /// The distance on a sphere \[km\].
-    ///
-    /// # Example
-    /// ```
-    /// use freestand_study::places::Coordinates;
-    /// let at = |latitude_deg, longitude_deg| Coordinates { latitude_deg, longitude_deg };
-    /// assert!((at(41.0, 29.0).distance_km(at(42.0, 29.0)) - 111.19).abs() < 0.01);
-    /// ```
-    pub fn distance_km(self, other: Self) -> f64 {
-        let [phi, other_phi] = [self, other].map(|one| one.latitude_deg.to_radians());
-        let half = |from: f64, to: f64| (0.5 * (to - from)).sin().powi(2);
-        let longitude = half(
-            self.longitude_deg.to_radians(),
-            other.longitude_deg.to_radians(),
-        );
-        let h = half(phi, other_phi) + phi.cos() * other_phi.cos() * longitude;
-        2.0 * EARTH_KM * h.sqrt().min(1.0).asin()
-    }
+/// Whether a point of the grid of Italy may lie in France, Switzerland, Austria or Slovenia, or in San Marino: north of the
+/// plain of the Po, or west of Savona. The grid has no border, and its cells reach some kilometres beyond it.
+fn is_near_the_border_of_italy(at: Coordinates) -> bool {
+    let is_san_marino =
+        (43.89..43.995).contains(&at.latitude_deg) && (12.40..12.52).contains(&at.longitude_deg);
+    at.latitude_deg > 45.3 || at.longitude_deg < 7.8 || is_san_marino
 }
 
 /// A place, and what its code says about it.
@@ -59,15 +30,17 @@ pub struct Place {
     /// Its name; of a point, its coordinates.
     pub name: Cow<'static, str>,
     /// Other names, separated by commas.
-    other_names: &'static str,
+    pub(crate) other_names: &'static str,
     /// The state, as its two letters, in the United States; elsewhere what tells places of one name apart.
     pub region: &'static str,
     /// The country.
     pub country: &'static str,
+    /// What it is: a name means the largest.
+    pub(crate) size: Size,
     /// The hazard in the terms of the code.
     pub hazard: PlaceHazard,
     /// The source of the values.
-    pub source: &'static str,
+    pub source: Cow<'static, str>,
     /// How far the values can be trusted.
     pub confidence: Confidence,
     /// Where it is, where that is known.
@@ -76,6 +49,17 @@ pub struct Place {
     pub distance_km: Option<f64>,
     /// To the nearest major fault, where the table of its code has that; [`FAR_KM`] stands for more \[km\].
     pub fault_distance_km: Option<f64>,
+}
+
+/// What a place is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Size {
+    /// A town or a city.
+    City,
+    /// A municipality of a country of which all are in the tables.
+    Municipality,
+    /// A part of one.
+    Parish,
 }
 
 /// The hazard of a place in the terms of its code.
@@ -124,7 +108,7 @@ pub enum PlaceHazard {
     /// TS 1170.5:2025: [`TsLevel`]s.
     Ts1170_5 {
         /// The rows of Table 3.1 for the settlement.
-        table: &'static str,
+        levels: &'static [TsLevel],
     },
     /// A peak ground acceleration, with the shape of Eurocode 8, type 1: the code of the country is not in the program.
     Shape {
@@ -136,8 +120,8 @@ pub enum PlaceHazard {
         corner_period_s: Option<f64>,
         /// Its return period, if that is known \[years\].
         return_period_years: Option<u32>,
-        /// The code or the model that has it.
-        by: &'static str,
+        /// The code or the model that has it; `None`: the file of a user.
+        by: Option<&'static str>,
     },
 }
 
@@ -158,41 +142,6 @@ pub struct TsLevel {
     pub fault_distance_km: Option<f64>,
     /// For each class.
     pub values: [TsValues; TsSite::ALL.len()],
-}
-
-impl TsLevel {
-    /// The rows of a settlement: `years,M,D,PGA,Sas,Tc,Td,…`, with four values for each class, separated by `|`.
-    pub fn all(table: &str) -> impl Iterator<Item = Self> {
-        table.split('|').filter_map(Self::read)
-    }
-
-    fn read(row: &str) -> Option<Self> {
-        let fields: Vec<&str> = row.split(',').collect();
-        let [years, magnitude, distance, numbers @ ..] = fields.as_slice() else {
-            return None;
-        };
-        let numbers: Vec<f64> = numbers
-            .iter()
-            .map(|one| one.parse())
-            .collect::<Result<_, _>>()
-            .ok()?;
-        let mut values = numbers.chunks_exact(4).map(|four| match *four {
-            [pga_g, sas_g, tc_s, td_s] => Some(TsValues {
-                pga_g,
-                sas_g,
-                tc_s,
-                td_s,
-            }),
-            _ => None,
-        });
-        let mut next = || values.next().flatten();
-        Some(Self {
-            years: years.parse().ok()?,
-            magnitude: magnitude.parse().ok(),
-            fault_distance_km: distance.parse().ok(),
-            values: [next()?, next()?, next()?, next()?, next()?, next()?],
-        })
-    }
 }
 
 impl PlaceHazard {
@@ -263,16 +212,14 @@ impl PlaceHazard {
                 };
                 format!("{one}{two}{only}{rest}")
             }
-            Self::Ntc2018 { at } => {
-                ntc_hazard(*at, NTC_DEFAULT_YEARS).map_or_else(String::new, |found| {
-                    format!(
-                        "ag = {} g, F0 = {}, Tc* = {} s ({NTC_DEFAULT_YEARS} years)",
-                        number(found.ag_g, 4),
-                        number(found.f0_ratio, 4),
-                        number(found.tc_star_s, 3)
-                    )
-                })
-            }
+            Self::Ntc2018 { .. } => self.ntc().map_or_else(String::new, |found| {
+                format!(
+                    "ag = {} g, F0 = {}, Tc* = {} s ({NTC_DEFAULT_YEARS} years)",
+                    number(found.ag_g, 4),
+                    number(found.f0_ratio, 4),
+                    number(found.tc_star_s, 3)
+                )
+            }),
             Self::Tbdy2018 { ss_g, s1_g } => {
                 let level = |k: usize| {
                     let (ss, s1) = (number(ss_g[k], 4), number(s1_g[k], 4));
@@ -280,13 +227,14 @@ impl PlaceHazard {
                 };
                 format!("{}; {}", level(0), level(1))
             }
-            Self::Ts1170_5 { table } => {
-                let level = TsLevel::all(table).find(|level| level.years == TS_DEFAULT_YEARS);
-                level.map_or_else(String::new, |level| {
-                    let [_, _, TsValues { pga_g, sas_g, .. }, ..] = level.values;
-                    let (pga, sas) = (number(pga_g, 3), number(sas_g, 3));
-                    format!("PGA = {pga} g, Sa,s = {sas} g (class III, {TS_DEFAULT_YEARS} years)")
-                })
+            Self::Ts1170_5 { .. } => {
+                self.ts_class_iii()
+                    .map_or_else(String::new, |TsValues { pga_g, sas_g, .. }| {
+                        let (pga, sas) = (number(pga_g, 3), number(sas_g, 3));
+                        format!(
+                            "PGA = {pga} g, Sa,s = {sas} g (class III, {TS_DEFAULT_YEARS} years)"
+                        )
+                    })
             }
             Self::Shape {
                 acceleration_g,
@@ -300,10 +248,24 @@ impl PlaceHazard {
                 } else {
                     "on rock"
                 };
-                let years = return_period_years
-                    .map_or_else(String::new, |years| format!(", {years} years"));
-                format!("PGA = {} g {on} ({by}{years})", number(*acceleration_g, 4))
+                let years = return_period_years.map(|years| format!("{years} years"));
+                let rest: Vec<String> = by.map(str::to_owned).into_iter().chain(years).collect();
+                let rest = match rest.is_empty() {
+                    true => String::new(),
+                    false => format!(" ({})", rest.join(", ")),
+                };
+                format!("PGA = {} g {on}{rest}", number(*acceleration_g, 4))
             }
+        }
+    }
+
+    /// The return periods at which its own values are known \[years\].
+    pub fn return_periods(&self) -> Vec<u32> {
+        match self {
+            Self::Ntc2018 { .. } => NTC_YEARS.to_vec(),
+            Self::Tbdy2018 { .. } => TBDY_YEARS.to_vec(),
+            Self::Ts1170_5 { levels } => levels.iter().map(|level| level.years).collect(),
+            _ => Vec::new(),
         }
     }
 
@@ -317,6 +279,60 @@ impl PlaceHazard {
             | Self::Ts1170_5 { .. } => true,
             Self::Asce7 { .. } | Self::Eurocode8 { .. } | Self::Shape { .. } => false,
         }
+    }
+
+    /// Its values by NTC 2018 at the return period that stands for all.
+    fn ntc(&self) -> Option<NtcHazard> {
+        match self {
+            Self::Ntc2018 { at } => ntc_hazard(*at, NTC_DEFAULT_YEARS),
+            _ => None,
+        }
+    }
+
+    /// Its values by TS 1170.5, class III, at the return period that stands for all.
+    fn ts_class_iii(&self) -> Option<TsValues> {
+        match self {
+            Self::Ts1170_5 { levels } => {
+                let level = levels
+                    .iter()
+                    .find(|level| level.years == TS_DEFAULT_YEARS)?;
+                let [_, _, values, ..] = level.values;
+                Some(values)
+            }
+            _ => None,
+        }
+    }
+
+    /// k of a ∝ T^(1/k) from the return period that stands for all to the longest one, a being what the code has: a_g of NTC
+    /// 2018, S_s of TBDY 2018, PGA of class III of TS 1170.5.
+    pub fn slope(&self) -> Option<f64> {
+        let [from, to, low, high] = match self {
+            Self::Ntc2018 { at } => {
+                let [.., last] = NTC_YEARS;
+                let of = |years| ntc_hazard(*at, years).map(|found| found.ag_g);
+                let (low, high) = (of(NTC_DEFAULT_YEARS)?, of(last)?);
+                [f64::from(NTC_DEFAULT_YEARS), f64::from(last), low, high]
+            }
+            Self::Tbdy2018 {
+                ss_g: [low, high], ..
+            } => {
+                let [from, to] = TBDY_YEARS.map(f64::from);
+                [from, to, *low, *high]
+            }
+            Self::Ts1170_5 { levels } => {
+                let last = levels.last()?;
+                let (low, high) = (self.ts_class_iii()?.pga_g, last.values[2].pga_g);
+                [
+                    f64::from(TS_DEFAULT_YEARS),
+                    f64::from(last.years),
+                    low,
+                    high,
+                ]
+            }
+            _ => return None,
+        };
+        let slope = (to / from).ln() / (high / low).ln();
+        slope.is_finite().then_some(slope)
     }
 
     /// Its return period \[years\], where its code has one alone.
@@ -389,11 +405,6 @@ impl Place {
         format!("{}, {}", self.name, self.whereabouts())
     }
 
-    /// Whether it is a part of a municipality, as in Ecuador.
-    fn is_parish(&self) -> bool {
-        self.country == "Ecuador" && self.region.contains(',')
-    }
-
     /// Whether it is a point of a grid, whose name is its coordinates.
     pub fn is_point(&self) -> bool {
         matches!(self.name, Cow::Owned(_))
@@ -444,8 +455,12 @@ impl Place {
         let approximate = format!("the hazard of {name} ({words}) is approximate");
         match self.hazard {
             PlaceHazard::Shape { by, .. } => {
+                let why = match by {
+                    Some(by) => format!("that of {by} is not in the program"),
+                    None => "the file has the peak ground acceleration alone".to_owned(),
+                };
                 let shape = format!(
-                    "the spectrum of {name} has the shape of Eurocode 8, type 1, because that of {by} is not in the program"
+                    "the spectrum of {name} has the shape of Eurocode 8, type 1, because {why}"
                 );
                 Some(if is_approximate {
                     format!("{approximate}: confirm it before you rely on it; {shape}")
@@ -457,7 +472,7 @@ impl Place {
                 "{approximate}, and the shape of its spectrum is the one that EN 1998-1 recommends, because the national \
                  annex was not read: confirm it in the national annex before you rely on it"
             )),
-            PlaceHazard::Ntc2018 { at } if self.is_point() && at.is_near_the_border_of_italy() => {
+            PlaceHazard::Ntc2018 { at } if self.is_point() && is_near_the_border_of_italy(at) => {
                 Some(format!(
                     "the grid of NTC 2018 reaches beyond the border: its values hold for {name} only if that is in Italy"
                 ))
@@ -491,7 +506,7 @@ answer_of!(Place as place {
     ground_acceleration_g: Option<f64> = match place.hazard {
         PlaceHazard::Eurocode8 { ground_acceleration_g, .. } => Some(ground_acceleration_g),
         PlaceHazard::Shape { acceleration_g, .. } => Some(acceleration_g),
-        PlaceHazard::Ntc2018 { at } => ntc_hazard(at, NTC_DEFAULT_YEARS).map(|found| found.ag_g),
+        PlaceHazard::Ntc2018 { .. } => place.hazard.ntc().map(|found| found.ag_g),
         _ => None,
     };
     type2_ground_acceleration_g: Option<f64> = match place.hazard {
@@ -502,9 +517,28 @@ answer_of!(Place as place {
         PlaceHazard::Eurocode8 { annex, .. } => annex.map(NationalAnnex::name),
         _ => None,
     };
+    f0_ratio: Option<f64> = place.hazard.ntc().map(|found| found.f0_ratio);
+    tc_star_s: Option<f64> = place.hazard.ntc().map(|found| found.tc_star_s);
+    /// PGA of class III, by TS 1170.5.
+    class_iii_pga_g: Option<f64> = place.hazard.ts_class_iii().map(|values| values.pga_g);
+    /// Sa,s of class III, by TS 1170.5.
+    class_iii_sas_g: Option<f64> = place.hazard.ts_class_iii().map(|values| values.sas_g);
+    /// Ss at 2475 years, by TBDY 2018.
+    rare_ss_g: Option<f64> = match place.hazard {
+        PlaceHazard::Tbdy2018 { ss_g: [_, rare], .. } => Some(rare),
+        _ => None,
+    };
+    /// S1 at 2475 years, by TBDY 2018.
+    rare_s1_g: Option<f64> = match place.hazard {
+        PlaceHazard::Tbdy2018 { s1_g: [_, rare], .. } => Some(rare),
+        _ => None,
+    };
+    /// k of a ∝ T^(1/k), T being the return period, from about 500 to about 2500 years.
+    slope: Option<f64> = place.hazard.slope();
     /// Of the values above, where it is known.
     return_period_years: Option<u64> = match place.hazard {
         PlaceHazard::Ntc2018 { .. } | PlaceHazard::Tbdy2018 { .. } => Some(u64::from(NTC_DEFAULT_YEARS)),
+        PlaceHazard::Ts1170_5 { .. } => Some(u64::from(TS_DEFAULT_YEARS)),
         other => other.return_period_years().map(u64::from),
     };
     fault_distance_km: Option<f64>;
@@ -512,7 +546,7 @@ answer_of!(Place as place {
     longitude_deg: Option<f64> = place.coordinates.map(|at| at.longitude_deg);
     /// The distance from the requested coordinates to the place, or to the nearest node of the grid.
     distance_km: Option<f64>;
-    source: &'static str;
+    source: String = place.source.to_string();
     /// How far the values can be trusted.
     confidence: &'static str = place.confidence.name();
 });

@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
-use freestand::code_spectrum::{NationalAnnex, SpectrumType};
+use freestand::code_spectrum::{NationalAnnex, SpectrumType, TsValues};
 use strum::IntoEnumIterator as _;
 
 use super::grid::inflated;
-use super::{Confidence, Coordinates, Place, PlaceHazard, TS_DEFAULT_YEARS, TsLevel};
+use super::{Confidence, Coordinates, Place, PlaceHazard, Size, TS_DEFAULT_YEARS, TsLevel};
 
 /// All places, in the order of the tables: of two with one name, the first is meant.
 pub fn places() -> &'static [Place] {
@@ -65,8 +65,13 @@ fn read(row: &'static str) -> Option<Place> {
         other_names,
         region,
         country,
+        size: match country {
+            "Ecuador" if region.contains(',') => Size::Parish,
+            "Ecuador" | "Portugal" => Size::Municipality,
+            _ => Size::City,
+        },
         hazard,
-        source,
+        source: source.into(),
         confidence: Confidence::iter().find(|one| one.name() == confidence)?,
         coordinates,
         distance_km: None,
@@ -82,11 +87,14 @@ fn hazard(
     at: Option<Coordinates>,
 ) -> Option<(PlaceHazard, Option<f64>)> {
     if code == "ts1170.5" {
-        let level = TsLevel::all(values).find(|level| level.years == TS_DEFAULT_YEARS)?;
-        return Some((
-            PlaceHazard::Ts1170_5 { table: values },
-            level.fault_distance_km,
-        ));
+        // The table lives as long as the program.
+        let levels: Vec<TsLevel> = values.split('|').map(ts_level).collect::<Option<_>>()?;
+        let level = levels
+            .iter()
+            .find(|level| level.years == TS_DEFAULT_YEARS)?;
+        let fault_distance_km = level.fault_distance_km;
+        let levels = Vec::leak(levels);
+        return Some((PlaceHazard::Ts1170_5 { levels }, fault_distance_km));
     }
     let parts = values
         .split(',')
@@ -148,9 +156,38 @@ fn hazard(
             is_on_site: text("ground") == Some("site"),
             corner_period_s: value("tc"),
             return_period_years: text("years").and_then(|years| years.parse().ok()),
-            by: text("by")?,
+            by: Some(text("by")?),
         },
         _ => return None,
     };
     Some((hazard, value("fault")))
+}
+
+/// A row of a settlement: `years,M,D,PGA,Sas,Tc,Td,…`, with four values for each class.
+fn ts_level(row: &str) -> Option<TsLevel> {
+    let fields: Vec<&str> = row.split(',').collect();
+    let [years, magnitude, distance, numbers @ ..] = fields.as_slice() else {
+        return None;
+    };
+    let numbers: Vec<f64> = numbers
+        .iter()
+        .map(|one| one.parse())
+        .collect::<Result<_, _>>()
+        .ok()?;
+    let mut values = numbers.chunks_exact(4).map(|four| match *four {
+        [pga_g, sas_g, tc_s, td_s] => Some(TsValues {
+            pga_g,
+            sas_g,
+            tc_s,
+            td_s,
+        }),
+        _ => None,
+    });
+    let mut next = || values.next().flatten();
+    Some(TsLevel {
+        years: years.parse().ok()?,
+        magnitude: magnitude.parse().ok(),
+        fault_distance_km: distance.parse().ok(),
+        values: [next()?, next()?, next()?, next()?, next()?, next()?],
+    })
 }

@@ -2,8 +2,9 @@
 
 use super::{Overrides, Resolver};
 use crate::options::{GroundOptions, TARGET_KEYS};
+use crate::places::PlaceHazard;
 use crate::rerun::with_hazard;
-use crate::target::{code_name, place_of};
+use crate::target::{Code, code_of, place_of};
 
 impl Resolver<'_> {
     /// Puts the hazard of `overrides` into the options, and returns the text of the study with it.
@@ -33,13 +34,19 @@ impl Resolver<'_> {
             return text.to_owned();
         }
         let stays = |key: &str| match place_of(hazard) {
+            // The spectrum of a file is the whole hazard.
+            _ if hazard.get("spectrum").is_some() => false,
             None if hazard.get("place").is_some() => false,
             None => !keys.contains(&key),
             Some(_) if keys.contains(&key) => false,
             Some(place) => {
-                let code = place.hazard.code();
-                key == "return_period_years" && ["as1170.4", "nzs1170.5"].contains(&code)
-                    || key == "site" && code_name(&ground.target) == Some(code)
+                let code = Code::parse(place.hazard.code());
+                let has_factors = matches!(
+                    place.hazard,
+                    PlaceHazard::As1170_4 { .. } | PlaceHazard::Nzs1170_5 { .. }
+                );
+                key == "return_period_years" && has_factors
+                    || key == "site" && code_of(&ground.target) == code
             }
         };
         let removed: Vec<&'static str> = TARGET_KEYS

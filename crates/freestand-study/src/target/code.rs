@@ -18,7 +18,7 @@ pub(super) const CODES: [(&[&str], Code); 8] = [
 ];
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Code {
+pub(crate) enum Code {
     As1170_4,
     Eurocode8,
     Asce7,
@@ -30,7 +30,7 @@ pub(super) enum Code {
 }
 
 impl Code {
-    pub(super) fn parse(text: &str) -> Option<Self> {
+    pub(crate) fn parse(text: &str) -> Option<Self> {
         let plain: String = text
             .to_lowercase()
             .chars()

@@ -424,7 +424,7 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
         target.warnings.push(format!(
             "the national annex has two spectra, {one} and {two}: assessments calculate both and take the worse for \
              each object, restraints are designed for the larger acceleration of the ground, and everything else uses \
-             {one} alone, whose velocity is the larger, unless `spectrum_type` is given"
+             {one} alone, whose velocity is the larger, unless a study states spectrum_type"
         ));
         target.alternative = Some(other.into());
     }

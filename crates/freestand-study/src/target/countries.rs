@@ -13,7 +13,7 @@ use super::codes::{
 };
 use crate::places::{
     FAR_KM, NTC_DEFAULT_YEARS, NTC_YEARS, Place, PlaceHazard, TBDY_YEARS, TS_DEFAULT_YEARS,
-    TsLevel, ntc_hazard,
+    ntc_hazard,
 };
 
 /// The ground of NTC 2018, where none is stated.
@@ -174,7 +174,7 @@ pub(super) fn tbdy2018(reader: &mut WordReader, place: Option<&Place>) -> Option
 
 pub(super) fn ts1170_5(reader: &mut WordReader, place: Option<&Place>) -> Option<Target> {
     const CODE: Code = Code::Ts1170_5;
-    let Some(PlaceHazard::Ts1170_5 { table }) = place.map(|place| place.hazard) else {
+    let Some(PlaceHazard::Ts1170_5 { levels }) = place.map(|place| place.hazard) else {
         missing(reader, "place", CODE, "Hastings");
         return None;
     };
@@ -185,9 +185,9 @@ pub(super) fn ts1170_5(reader: &mut WordReader, place: Option<&Place>) -> Option
             site_class(reader, text, TsSite::parse, CODE, hint)
         }
     };
-    let level = |years: u32| TsLevel::all(table).find(|level| level.years == years);
+    let level = |years: u32| levels.iter().find(|level| level.years == years);
     let known = |years: u32| {
-        let all = || TsLevel::all(table).map(|level| level.years);
+        let all = || levels.iter().map(|level| level.years);
         level(years)
             .map(|_| ())
             .ok_or_else(|| no_values(years, all()))

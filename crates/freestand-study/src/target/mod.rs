@@ -3,6 +3,7 @@
 mod code;
 mod codes;
 mod countries;
+mod downloaded;
 mod named;
 mod parts;
 mod spectrum;
@@ -17,7 +18,7 @@ use freestand::code_spectrum::{
 };
 use freestand::synthesis;
 
-use code::Code;
+pub(crate) use code::Code;
 pub use codes::DEFAULT_YEARS;
 pub(crate) use named::place_of;
 pub use spectrum::{
@@ -26,7 +27,7 @@ pub use spectrum::{
 };
 use words::Remedies;
 pub use words::period_code;
-pub(crate) use words::{code_name, key_of_other_code};
+pub(crate) use words::{code_of, key_of_other_code};
 
 use crate::places::{Confidence, Place, PlaceHazard};
 use freestand_input::file::{InputFile, file_name};
@@ -95,7 +96,9 @@ impl Target {
     }
 
     fn resolve_as(words: &Words, base_dir: &Path, remedies: Remedies) -> Result<Self, Problems> {
-        words::resolve(words, base_dir, remedies).map(|mut target| {
+        let of_file = downloaded::resolve(words, base_dir, remedies);
+        let found = of_file.unwrap_or_else(|| words::resolve(words, base_dir, remedies));
+        found.map(|mut target| {
             target.warnings.append(&mut target.period_warnings);
             target
         })

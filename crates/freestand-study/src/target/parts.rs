@@ -47,16 +47,16 @@ impl Target {
         }
         if let (None, Some((key, text))) = (code, named_place(words))
             && let Ok(place) = Place::look_up(&text, None)
-            && let PlaceHazard::Shape { by, .. } = place.hazard
+            && let PlaceHazard::Shape { by: Some(by), .. } = place.hazard
         {
             let message = format!("the clauses of {by} for parts are not in the program");
             let hint = "give `floor_acceleration`, or a code with its values, such as `code = \"asce7\"` and `sds = \"1 g\"`";
             return Err(Problem::value(message, hint).of(&[key]).into());
         }
-        if code == Some(Code::Table) {
+        if code == Some(Code::Table) || has("spectrum") {
             let hint = "name a code, such as `code = \"asce7\"`, or a place";
             return Err(Problem::value("a table has no clause for parts", hint)
-                .of(&["code"])
+                .of(&[if has("spectrum") { "spectrum" } else { "code" }])
                 .into());
         }
         if code == Some(Code::As1170_4) && !has_place && !has("hazard_factor") {

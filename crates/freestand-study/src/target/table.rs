@@ -14,13 +14,8 @@ use freestand_input::words::number;
 use freestand_records::processing::{TargetSource, read_target};
 
 pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> {
-    let known = [
-        ("log-log", Interpolation::LogLog),
-        ("linear", Interpolation::Linear),
-    ];
-    let interpolation = one_of(reader, "interpolation", &known, Interpolation::LogLog);
-    let known = [("refuse", OutOfRange::Refuse), ("hold", OutOfRange::Hold)];
-    let out_of_range = one_of(reader, "beyond", &known, OutOfRange::Refuse);
+    let interpolation = interpolation(reader);
+    let out_of_range = beyond(reader);
     let Some(name) = reader.words.get("spectrum") else {
         missing(reader, "spectrum", Code::Table, "target.csv");
         return None;
@@ -53,29 +48,60 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
         );
         return None;
     }
-    let mut rows: Vec<(f64, f64)> = read
-        .periods_s
-        .iter()
-        .copied()
-        .zip(read.psa_m_s2.iter().copied())
-        .collect();
-    rows.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let periods = read.periods_s.iter().copied();
+    let rows = Rows {
+        values: periods.zip(read.psa_m_s2.iter().copied()).collect(),
+        name: &read.name,
+    };
+    let made = made(reader, rows, interpolation, out_of_range);
+    made.map(|target| Target {
+        file: read.file,
+        ..target
+    })
+}
+
+/// The keys `interpolation` and `beyond`.
+pub(super) fn interpolation(reader: &mut WordReader) -> Option<Interpolation> {
+    let known = [
+        ("log-log", Interpolation::LogLog),
+        ("linear", Interpolation::Linear),
+    ];
+    one_of(reader, "interpolation", &known, Interpolation::LogLog)
+}
+
+pub(super) fn beyond(reader: &mut WordReader) -> Option<OutOfRange> {
+    let known = [("refuse", OutOfRange::Refuse), ("hold", OutOfRange::Hold)];
+    one_of(reader, "beyond", &known, OutOfRange::Refuse)
+}
+
+/// Periods with pseudo-accelerations \[s, m/s²\], and the name of their file.
+pub(super) struct Rows<'n> {
+    pub(super) values: Vec<(f64, f64)>,
+    pub(super) name: &'n str,
+}
+
+pub(super) fn made(
+    reader: &mut WordReader,
+    rows: Rows,
+    interpolation: Option<Interpolation>,
+    out_of_range: Option<OutOfRange>,
+) -> Option<Target> {
+    let Rows { mut values, name } = rows;
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
     // -0 is 0, which the sort puts first either way.
-    let periods_s: Vec<f64> = rows.iter().map(|row| row.0 + 0.0).collect();
-    let sa_g = rows.iter().map(|row| row.1 / G0_M_S2).collect();
+    let periods_s: Vec<f64> = values.iter().map(|row| row.0 + 0.0).collect();
+    let sa_g = values.iter().map(|row| row.1 / G0_M_S2).collect();
     let (interpolation, out_of_range) = (interpolation?, out_of_range?);
     let spectrum = match SpectrumTable::new(periods_s, sa_g, interpolation, out_of_range) {
         Ok(spectrum) => spectrum,
         Err(error) => {
-            refuse(
-                reader,
-                error.to_string(),
-                "give two periods or more, each once",
-            );
+            let hint = "give two periods or more, each once";
+            let problem = Problem::value(error.to_string(), hint).of(&["spectrum"]);
+            reader.problems.push(problem.in_file(Path::new(name)));
             return None;
         }
     };
-    let lines: String = rows
+    let lines: String = values
         .iter()
         .map(|(period_s, psa)| format!("{},{psa}\n", period_s + 0.0))
         .collect();
@@ -83,16 +109,16 @@ pub(super) fn table(reader: &mut WordReader, base_dir: &Path) -> Option<Target> 
     if out_of_range == OutOfRange::Hold && spectrum.first_period_s() > 0.0 {
         warnings.push(format!(
             "the spectrum {} begins at {} s: its first value applies below, and the PGA of motions is compared with it",
-            read.name,
+            name,
             number(spectrum.first_period_s(), 4)
         ));
     }
     Some(Target {
-        facts: facts(&spectrum, &read.name),
+        facts: facts(&spectrum, name),
         spectrum: spectrum.into(),
         place: None,
         place_is_assumed: false,
-        file: read.file,
+        file: None,
         alternative: None,
         parts_edition: None,
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),

@@ -148,7 +148,7 @@ pub(super) fn unknown_code(text: &str, known: impl Iterator<Item = Code>) -> Pro
 
 /// The code that the words describe; AS 1170.4 where they name none. `None` for a code that is not
 /// known.
-pub(super) fn code_of(words: &Words) -> Option<Code> {
+pub(crate) fn code_of(words: &Words) -> Option<Code> {
     match words.get("code") {
         Some(text) => Code::parse(text),
         None if words.get("spectrum").is_some() => Some(Code::Table),
@@ -159,14 +159,9 @@ pub(super) fn code_of(words: &Words) -> Option<Code> {
     }
 }
 
-/// Its name.
-pub(crate) fn code_name(words: &Words) -> Option<&'static str> {
-    code_of(words).map(Code::name)
-}
-
 /// The code of the periods of buildings of a study: that of its spectrum.
 pub fn period_code(words: &Words) -> Option<PeriodCode> {
-    period_code_named(code_name(words)?)
+    period_code_named(code_of(words)?.name())
 }
 
 pub(super) fn period_code_named(name: &str) -> Option<PeriodCode> {
@@ -190,7 +185,7 @@ pub(crate) fn key_of_other_code(words: &Words) -> Option<&'static str> {
 }
 
 /// Refuses keys that the code does not take.
-fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies) {
+pub(super) fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies) {
     let strangers = reader
         .words
         .entries()
@@ -201,7 +196,7 @@ fn check_keys(reader: &mut WordReader, code: Code, remedies: Remedies) {
             .filter(|(_, other)| other.keys().contains(&key))
             .map(|(_, other)| other.name())
             .collect();
-        let hint = if remedies == Remedies::PlaceAlone {
+        let hint = if remedies == Remedies::PlaceAlone && code != Code::Table {
             "leave it out: the code of the place does not have it".to_owned()
         } else if remedies == Remedies::Parts && takers == ["table"] {
             "leave it out: the clauses for parts take the values of a code".to_owned()

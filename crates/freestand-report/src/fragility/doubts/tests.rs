@@ -100,7 +100,9 @@ fn every_doubt_in_words() {
         HazardDoubt::IdleSite,
         HazardDoubt::CertainPoints(1),
         HazardDoubt::EqualPoints(3),
+        HazardDoubt::SiteAway { metres: 2345 },
         HazardDoubt::DesignAccelerations,
+        HazardDoubt::SlopeOfPlace,
     ];
     all(&hazards);
     let (path, id) = (PathBuf::from("i.csv"), "a".to_owned());

@@ -29,6 +29,7 @@ fn report(doubts: Vec<Doubt>, assumptions: Vec<Assumed>) -> RiskReport {
             measure: Measure::Sa { period_s: 0.5 },
             at: At::Ground,
             file: None,
+            tilted: Vec::new(),
             has_sites: false,
             doubts: Vec::new(),
         },

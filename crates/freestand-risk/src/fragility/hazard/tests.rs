@@ -9,6 +9,7 @@ fn file(text: &str) -> Result<MeasuredHazard, Problems> {
         text.as_bytes(),
         Path::new("h.csv"),
         HazardPlace::Stated(None),
+        Wanted::default(),
         None,
     )
 }
@@ -28,7 +29,7 @@ fn points_are_read_and_refused_with_their_cell() {
     let text = b"pgv [m/s],annual_rate\n0.05,0.02\n0.5,0.0002\n";
     let place = HazardPlace::Stated(None);
     let site = Some((151.2, -33.9));
-    let sited = from_file(text, Path::new("h.csv"), place, site).unwrap();
+    let sited = from_file(text, Path::new("h.csv"), place, Wanted::default(), None).unwrap();
     let doubts: Vec<HazardDoubt> = sited.doubts_at(site).collect();
     assert_eq!(doubts, [HazardDoubt::IdleSite]);
     assert_eq!(sited.doubts_at(None).count(), 0);
@@ -94,141 +95,107 @@ const OPENQUAKE: &str = "#,,,,\"generated_by='OpenQuake engine 3.26.2', start_da
                          lon,lat,depth,poe-1.0,poe-10.0,poe-100.0\n\
                          151.20000,-33.90000,0.0,1.0,0.1,0.001\n150.0,-33.0,0.0,0.9,0.1,0.0\n";
 
+/// How each format is read is tested where that is done.
 #[test]
-fn curves_of_openquake_become_rates() {
-    let read = |site| {
-        from_file(
-            OPENQUAKE.as_bytes(),
-            Path::new("h.csv"),
-            HazardPlace::Stated(None),
-            site,
-        )
-    };
-    let read_one = read(Some((151.2, -33.9))).unwrap();
-    let Hazard::Points(points) = &read_one.hazard else {
-        panic!()
-    };
-    assert_eq!((points.len(), read_one.measure), (2, Measure::Pgv));
-    let doubts: Vec<HazardDoubt> = read_one.doubts_at(Some((151.2, -33.9))).collect();
-    assert_eq!(doubts, [HazardDoubt::CertainPoints(1)]);
-    assert!((points[0].intensity - 0.1).abs() < 1e-15);
-    assert!((points[0].annual_rate + 0.9_f64.ln() / 50.0).abs() < 1e-15);
-    assert!(only(read(None)).message.contains("2 sites"));
-    let elsewhere = only(read(Some((0.0, 0.0))));
-    assert!(elsewhere.message.contains("no site at 0,0"), "{elsewhere}");
-    assert!(
-        elsewhere
-            .hint
-            .is_some_and(|hint| hint.contains("151.2,-33.9"))
-    );
-}
-
-/// OpenQuake does not write the periods of AvgSA: they must be added, as our exports do.
-#[test]
-fn averages_of_openquake_need_their_periods() {
-    let of = |imt: &str| {
-        file(
-            &OPENQUAKE
-                .replace("imt='PGV'", imt)
-                .replace("150.0,-33.0,0.0,0.9,0.1,0.0\n", ""),
-        )
-    };
-    let read = of("imt='AvgSA', measure='sa_avg(0.2:2)'").unwrap();
+fn a_downloaded_curve_is_that_of_the_measure() {
+    let read = |site, measure| hazard_of_bytes(OPENQUAKE.as_bytes(), site, measure);
+    let near = Some((151.2, -33.88));
+    let read_one = read(near, None).unwrap();
+    assert_eq!((read_one.measure, read_one.at), (Measure::Pgv, At::Ground));
+    assert!((read_one.hazard.annual_rate(0.1) + 0.9_f64.ln() / 50.0).abs() < 1e-15);
+    // 0.02° of latitude.
+    let doubts: Vec<HazardDoubt> = read_one.doubts_at(near).collect();
     assert_eq!(
-        (read.measure, read.at),
-        (
-            Measure::SaAverage {
-                from_s: 0.2,
-                to_s: 2.0
-            },
-            At::Ground
-        )
+        doubts,
+        [
+            HazardDoubt::CertainPoints(1),
+            HazardDoubt::SiteAway { metres: 2224 }
+        ]
     );
-    let Hazard::Points(points) = &read.hazard else {
-        panic!()
-    };
-    assert_eq!(points[0].intensity, 10.0);
-    for (imt, said) in [
-        (
-            "imt='AvgSA'",
-            "does not state the periods of AvgSA as measure",
-        ),
-        (
-            "imt='AvgSA', measure='0.2:2'",
-            "\"0.2:2\" of AvgSA does not state its periods",
-        ),
-        ("imt='AvgSA', measure='pga'", "\"pga\" of AvgSA"),
-        ("imt='IA'", "not one of PGA, PGV, SA and AvgSA"),
-    ] {
-        let problem = only(of(imt));
-        assert!(
-            problem.message.contains(said) && problem.hint.is_some(),
-            "{said}: {problem}"
-        );
-    }
+    assert!(only(read(None, None)).message.contains("2 sites"));
+    let several = "LON,LAT,PGA-DD1,PGA-DD2,PGA-DD3,PGA-DD4,Ss-DD1,Ss-DD2,Ss-DD3,Ss-DD4,S1-DD1,S1-DD2,S1-DD3,S1-DD4,PGV-DD4,PGV-DD3,PGV-DD2,PGV-DD1\n\
+                   24.55,39.95,1.32,0.716,0.218,0.138,3.273,1.714,0.501,0.317,0.878,0.437,0.121,0.076,7.596,12.321,44.717,83.452\n";
+    let of = |measure| hazard_of_bytes(several.as_bytes(), None, measure);
+    let pgv = of(Some(Measure::Pgv)).unwrap();
+    assert!((pgv.hazard.annual_rate(0.44717) * 475.0 - 1.0).abs() < 1e-12);
+    let open = only(of(None));
+    assert!(
+        open.message.contains("curves of pga, sa(0.2), sa(1), pgv"),
+        "{open}"
+    );
+    let other = only(of(Some(Measure::Sa { period_s: 0.5 })));
+    assert!(other.message.contains("no curve of sa(0.5)"), "{other}");
+    let map = "#,\"kind='mean', investigation_time=1.0\"\nlon,lat,PGA-0.002105\n1,2,0.3\n";
+    let one = only(hazard_of_bytes(map.as_bytes(), None, None));
+    assert!(
+        one.message.contains("one return period alone") && one.hint.is_some(),
+        "{one}"
+    );
 }
 
-#[test]
-fn ugly_curves_of_openquake_are_refused_or_mended_aloud() {
-    let file = |comment: &str, levels: &str, row: &str| {
-        file(&format!(
-            "#,,,,\"kind='mean', {comment}imt='PGA'\"\nlon,lat,depth,{levels}\n{row}\n"
-        ))
+fn hazard_of_bytes(
+    bytes: &[u8],
+    site_deg: Option<(f64, f64)>,
+    measure: Option<Measure>,
+) -> Result<MeasuredHazard, Problems> {
+    let wanted = Wanted {
+        at: site_deg.map(on_globe),
+        ..Wanted::default()
     };
-    let ten = "investigation_time=10.0, ";
-    let cases = [
-        (
-            file("", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"),
-            "h.csv:2: the comment above the headings does not state",
-        ),
-        (
-            file("investigation_time=0, ", "poe-0.1,poe-0.2", "1,2,0,0.5,0.1"),
-            "\"0\" is not a number of years",
-        ),
-        (
-            file(ten, "poe-0.1,poe-0.2", "1,2,0,0.1,0.5"),
-            "h.csv:3: column 5 (\"poe-0.2\"): the rate 0.5 is not below",
-        ),
-        (
-            file(ten, "poe-0.1,poe-0.1", "1,2,0,0.5,0.1"),
-            "h.csv:2: the column \"poe-0.1\" appears twice",
-        ),
-        (
-            file(ten, "poe-0.2,poe-0.1", "1,2,0,0.5,0.1"),
-            "h.csv:2: column 5: \"poe-0.1\" is not above",
-        ),
-        (
-            file(ten, "poe-0.1,poe-0.2", "1,2,0,0.5,1.5"),
-            "h.csv:3: column 5 (\"poe-0.2\"): 1.5 is not a probability",
-        ),
-        (
-            file(ten, "poe-0.1,poe-x", "1,2,0,0.5,0.1"),
-            "h.csv:2: column 5: \"poe-x\" states no intensity",
-        ),
-        (
-            file(ten, "poe-0.1,poe-0.2", "1,200,0,0.5,0.1"),
-            "h.csv:3: column 2",
-        ),
-        (
-            file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,1,0.5,0"),
-            "h.csv:3: 1 intensity of the site has",
-        ),
-    ];
-    for (read, said) in cases {
-        let problem = only(read);
-        assert!(
-            problem.to_string().contains(said) && problem.hint.is_some(),
-            "{said}: {problem}"
-        );
-    }
-    // Equal probabilities: the stronger intensity has the rate.
-    let flat = file(ten, "poe-0.1,poe-0.2,poe-0.4", "1,2,0,0.5,0.5,0.1").unwrap();
-    let Hazard::Points(points) = &flat.hazard else {
+    let place = HazardPlace::Stated(None);
+    from_file(bytes, Path::new("h.csv"), place, wanted, measure)
+}
+
+/// The points are the spectra of the code at each return period: Rome by nine, Istanbul by two, with ± 0.5 of slope about 475
+/// years; New Zealand's settlements and Z of older codes; no curve from one value.
+#[test]
+fn the_curve_of_a_place() {
+    let of = |name: &str, measure| of_place(name, None, measure);
+    let points = |hazard: &Hazard| match hazard {
+        Hazard::Points(points) => points.clone(),
+        Hazard::PowerLaw { .. } => panic!("points"),
+    };
+    let rome = of("Rome", Measure::Pga).unwrap();
+    let all = points(&rome.hazard);
+    assert_eq!(all.len(), 9);
+    let code = |years: u32| {
+        let mut words: Words = [("place", "Rome")].into_iter().collect();
+        words.set("return_period_years", years.to_string());
+        Target::resolve_place(&words).unwrap().spectrum.sa_g(0.0)
+    };
+    assert!((rome.hazard.annual_rate(code(475)) * 475.0 - 1.0).abs() < 1e-12);
+    assert!((rome.hazard.annual_rate(code(975)) * 975.0 - 1.0).abs() < 1e-12);
+    let istanbul = of("Istanbul", Measure::Sa { period_s: 0.2 }).unwrap();
+    let [first, second] = points(&istanbul.hazard)[..] else {
         panic!()
     };
-    assert_eq!((points.len(), points[0].intensity), (2, 0.2));
-    assert_eq!(flat.doubts, [HazardDoubt::EqualPoints(1)]);
-    assert!((points[0].annual_rate - 0.5_f64.ln().abs() / 10.0).abs() < 1e-15);
+    let slope = |hazard: &Hazard| {
+        let [a, b] = points(hazard)[..] else { panic!() };
+        -(b.annual_rate / a.annual_rate).ln() / (b.intensity / a.intensity).ln()
+    };
+    let k = slope(&istanbul.hazard);
+    let [flat, steep] = &istanbul.tilted[..] else {
+        panic!()
+    };
+    assert!((slope(flat) - k + 0.5).abs() < 1e-9 && (slope(steep) - k - 0.5).abs() < 1e-9);
+    assert!(first.intensity < second.intensity);
+    assert!((flat.annual_rate(first.intensity) * 475.0 - 1.0).abs() < 1e-12);
+    assert!(istanbul.doubts.contains(&HazardDoubt::SlopeOfPlace));
+    // By two codes: of Wellington NZS 1170.5 comes first, of a smaller settlement TS 1170.5 alone.
+    for name in ["Wellington", "Kaitaia", "Melbourne"] {
+        assert!(
+            points(&of(name, Measure::Pga).unwrap().hazard).len() > 3,
+            "{name}"
+        );
+    }
+    for name in ["Los Angeles", "Lisbon", "Atlantis"] {
+        let problem = only(of(name, Measure::Pga));
+        assert!(
+            problem.is_about("place") && problem.hint.is_some(),
+            "{problem}"
+        );
+    }
+    assert!(only(of("Rome", Measure::Pgv)).message.contains("no pgv"));
 }
 
 #[test]
