@@ -727,6 +727,9 @@ fn rigid_in_world(
 /// The number of a world, an object with its values there, and its floor.
 type Job<'a> = (u32, Drawn<'a>, &'a FloorOfWorld);
 
+/// Responses on pads by the places of the object and of the world.
+type PadsByPlace = Vec<((usize, usize), Option<PadResponse>)>;
+
 /// By the places of the objects and of the worlds that are asked, the responses on pads; `None` where the
 /// contact law is curved and enough worlds were followed.
 fn pads_in_worlds(
@@ -736,7 +739,7 @@ fn pads_in_worlds(
     draws: &[Vec<Draw>],
     floors: &[Arc<FloorOfWorld>],
     first: u32,
-) -> Result<Vec<((usize, usize), Option<PadResponse>)>, Problems> {
+) -> Result<PadsByPlace, Problems> {
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut keys: Vec<(usize, usize)> = Vec::new();
     let mut jobs: Vec<Job> = Vec::new();

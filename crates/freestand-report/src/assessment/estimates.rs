@@ -9,8 +9,9 @@ use serde::Serialize;
 use super::reasons::spread;
 use crate::table::table;
 
-/// Effort that one core of a machine of 2024 does in a second (benches/README.md).
-const EFFORT_PER_S: f64 = 60_000.0;
+/// Effort that one core does in a second: assumed, from two lists of benches/README.md. A slower machine takes longer; once
+/// work has begun, its own speed counts.
+const EFFORT_PER_S: f64 = 40_000.0;
 
 /// Rows of the table of first estimates.
 const ROWS: usize = 15;
