@@ -51,7 +51,9 @@ impl PlaceKeys {
         let mut words = self.words();
         read.pass(&KEYS);
         match path(read, "spectrum", files) {
-            Some(path) => words.set("spectrum", absolute(path)),
+            // A study may be in another folder.
+            Some(path) if read.has("study") => words.set("spectrum", absolute(path)),
+            Some(path) => words.set("spectrum", path.to_string_lossy()),
             // What is wrong with it is told.
             None => words.remove("spectrum"),
         }

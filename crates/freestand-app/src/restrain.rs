@@ -360,7 +360,11 @@ impl Restrain {
                     "leave it out: beside a study stand `place`, `spectrum`, `site` and `return_period_years` alone",
                 );
             }
-            return Some(Hazard::OfStudy(source?, words?));
+            let mut words = words?;
+            if let Some(path) = words.get("spectrum").map(PathBuf::from) {
+                words.set("spectrum", place::absolute(path));
+            }
+            return Some(Hazard::OfStudy(source?, words));
         }
         if read.has("floor_acceleration") {
             for key in keys {

@@ -10,7 +10,6 @@ use freestand_input::written::Written;
 use freestand_study::target::{Target, period_code};
 
 use crate::files::Files;
-use crate::place::absolute;
 use crate::request::{Request, request};
 
 request! {
@@ -137,7 +136,7 @@ impl TargetKeys {
         if let Some(name) = &self.spectrum {
             let path = files.path(&name.text());
             let path = path.map_err(|problem| problem.named("spectrum"))?;
-            words.set("spectrum", absolute(path));
+            words.set("spectrum", path.to_string_lossy());
         }
         Ok(words)
     }

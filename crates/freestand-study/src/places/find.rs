@@ -16,6 +16,8 @@ use freestand_records::tables::hazard::Wanted;
 const SAME_PLACE_KM: f64 = 5.0;
 /// The places that are told of coordinates without values are at most so far away \[km\].
 const NEAR_KM: f64 = 300.0;
+/// If none is so near, the nearest is told of a city up to here \[km\].
+const FAR_AWAY_KM: f64 = 1000.0;
 
 /// Why a place has no hazard.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,8 +102,11 @@ impl NotFound {
             }
             Self::NoValues(city, near) => {
                 let message = format!("no hazard is known for {city}");
-                let near = away(near);
-                Problem::value(message, format!("known nearest to it: {near}; {bring}"))
+                let hint = match near.is_empty() {
+                    true => bring.to_owned(),
+                    false => format!("the nearest places with values are {}; {bring}", away(near)),
+                };
+                Problem::value(message, hint)
             }
             Self::Far(_, Some(swapped)) => Problem::value(
                 format!("no hazard is known at {shown}"),
@@ -160,6 +165,7 @@ fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> 
         NotFound::Far(near, _) if near.is_empty() => {
             let first = nearest(city.at).into_iter().next();
             let first = first.and_then(|place| Some((place.full_name(), place.distance_km?)));
+            let first = first.filter(|(_, km)| *km <= FAR_AWAY_KM);
             NotFound::NoValues(name, first.into_iter().collect())
         }
         NotFound::Far(near, _) => NotFound::NoValues(name, near),

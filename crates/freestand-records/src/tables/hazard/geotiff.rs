@@ -85,7 +85,7 @@ pub(super) fn read(bytes: &[u8], path: &Path, wanted: &Wanted) -> Result<SiteHaz
     let number = number
         .ok_or_else(|| Problem::format("the TIFF is damaged: a strip is too short", DOWNLOAD))?;
     // Where nothing was calculated, as on the sea, maps have NaN or a large negative number.
-    if !(number > 0.0) {
+    if number.is_nan() || number <= 0.0 {
         let message = format!("the map has no value at {}", at.words());
         return Err(Problem::value(message, "name a point on land").of(&["place"]));
     }

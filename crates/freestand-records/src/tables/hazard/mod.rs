@@ -253,7 +253,7 @@ impl SiteHazard {
                 "the file has hazard curves, and a spectrum needs a return period".to_owned(),
                 "give it in years, such as `return_period_years = 475`".to_owned(),
             ),
-            ([], Some(wanted)) => self.from_curves(wanted),
+            ([], Some(wanted)) => self.spectrum_of_curves(wanted),
         }
     }
 
@@ -283,7 +283,7 @@ impl SiteHazard {
         first.values.iter().filter_map(of_period).collect()
     }
 
-    fn from_curves(&self, years: f64) -> Result<ReturnSpectrum, Problem> {
+    fn spectrum_of_curves(&self, years: f64) -> Result<ReturnSpectrum, Problem> {
         let mut values = Vec::new();
         for curve in &self.curves {
             let Some(period_s) = curve.measure.period_s() else {

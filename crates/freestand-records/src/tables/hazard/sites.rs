@@ -127,8 +127,7 @@ pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<(usize, Option<f
             ),
         };
     };
-    // NaN is not near.
-    if !(km <= FARTHEST_KM) {
+    if km.is_nan() || km > FARTHEST_KM {
         let there = sites[nearest]
             .at
             .map_or_else(String::new, Coordinates::words);
