@@ -67,9 +67,12 @@ impl HazardCurve {
         let law = read.one("hazard_power").map(str::to_owned);
         read.exclusive("hazard", "hazard_power");
         let law = law.map(|text| HazardSource::PowerLaw { text, measure });
-        let place = read.one("place").map(str::to_owned);
+        // Without a file the place is not for the hazard.
         let site = match &file {
-            Some(_) => read.problems.keep(wanted_site(place.as_deref()))?,
+            Some(_) => {
+                let place = read.one("place").map(str::to_owned);
+                read.problems.keep(wanted_site(place.as_deref()))?
+            }
             None => Wanted::default(),
         };
         let file = file.map(|path| HazardSource::File {
