@@ -1,6 +1,6 @@
 //! A list with a budget: the plan in every output.
 
-use freestand_app::job::{Job, assess_telling};
+use freestand_app::job::{Beside, Job, Spending, Told, assess_telling};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_inventory::CellsRequest;
 use freestand_output::answer::Answer as _;
@@ -43,8 +43,11 @@ fn a_plan_is_in_every_output() {
             &inventory,
             &out,
             &job,
-            Some(&budget),
-            None,
+            Beside {
+                spending: Some(Spending::Planned(&budget)),
+                earlier: None,
+            },
+            Told::default(),
             &no_progress,
         )
         .unwrap();

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use freestand_app::job::{Job, Told, assess_telling};
+use freestand_app::job::{Beside, Job, Told, assess_telling};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_assess::portfolio::Estimate;
 use freestand_report::assessment::JobReport;
@@ -40,7 +40,16 @@ fn run(
         outcomes: true,
         ..Job::default()
     };
-    assess_telling(&study, &inventory, out, &job, told, progress).unwrap()
+    assess_telling(
+        &study,
+        &inventory,
+        out,
+        &job,
+        Beside::default(),
+        told,
+        progress,
+    )
+    .unwrap()
 }
 
 /// The columns of a row of `objects.csv`.
