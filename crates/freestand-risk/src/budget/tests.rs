@@ -119,6 +119,15 @@ fn row(object: usize, measure: usize, draw: &mut impl FnMut(f64, f64) -> f64) ->
     }
 }
 
+fn priced(rows: Vec<(usize, PlanRow)>, objects: usize, has_rates: bool) -> Priced {
+    Priced {
+        rows,
+        objects,
+        has_rates,
+        has_costs: true,
+    }
+}
+
 /// What a plan is worth: falls of what is rated high, of what is rated medium, then money.
 fn worth(rows: &[&PlanRow]) -> [f64; 3] {
     let falls = |rating| {
@@ -164,7 +173,21 @@ fn a_plan_is_the_best_of_all_choices() {
                 best = worth;
             }
         }
-        let plan = budget.chosen(rows, objects, true, &no_progress);
+        let plan = budget.plan(priced(rows.clone(), objects, true), &no_progress);
+        // The same objects at two sites have the same plan.
+        let (first, second) = rows.iter().cloned().partition(|(object, _)| *object < 2);
+        let second: Vec<(usize, PlanRow)> = second;
+        let second = second.into_iter().map(|(object, row)| (object - 2, row));
+        let sites = vec![
+            ("a".to_owned(), &budget, priced(first, 2, true)),
+            ("b".to_owned(), &budget, priced(second.collect(), 3, true)),
+        ];
+        let (over_sites, names) = plan_over_sites(sites, &no_progress).unwrap();
+        assert_eq!(over_sites, plan);
+        for (row, name) in over_sites.rows.iter().zip(names) {
+            let object: usize = row.id.parse().unwrap();
+            assert_eq!(name, if object < 2 { "a" } else { "b" });
+        }
         let planned: Vec<&PlanRow> = plan.planned().collect();
         let found = worth(&planned);
         assert!(plan.cost <= budget.amount && plan.is_optimal);
@@ -189,14 +212,33 @@ fn without_rates_falls_are_avoided() {
     let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
     let mut one = row(2, 0, &mut draw);
     (one.rates, one.losses, one.benefit) = (None, None, None);
-    let plan = budget.chosen(vec![(0, one.clone())], 1, false, &no_progress);
+    let plan = budget.plan(priced(vec![(0, one.clone())], 1, false), &no_progress);
     let standing = plan.rows[0].standing;
     assert_eq!(standing, Standing::In(Planned::AvoidsFalls));
     let expected = one.before.value - one.effect.as_ref().unwrap().overturn.value;
     assert_eq!(one.falls_avoided(), Some(expected));
     // With rates but without costs there is nothing to save.
     one.rates = Some([0.01, 0.0]);
-    let plan = budget.chosen(vec![(0, one)], 1, true, &no_progress);
+    // At two sites, of which one has no yearly rates, falls in the earthquakes of the studies count for both.
+    let both = [true, false].map(|has_rates| {
+        let row = PlanRow {
+            losses: Some([1.0, 0.0]),
+            benefit: Some(100.0),
+            ..one.clone()
+        };
+        (
+            "s".to_owned(),
+            &budget,
+            priced(vec![(0, row)], 1, has_rates),
+        )
+    });
+    let (plan, _) = plan_over_sites(both.into(), &no_progress).unwrap();
+    assert!(
+        plan.rows
+            .iter()
+            .all(|row| row.benefit.is_none() && row.falls_avoided() == Some(expected))
+    );
+    let plan = budget.plan(priced(vec![(0, one)], 1, true), &no_progress);
     assert_eq!(
         plan.rows[0].standing,
         Standing::Out(NotPlanned::NothingToSave)

@@ -88,7 +88,7 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
     use crate::assessment::overview::Overview;
     let mut head = head(12);
     let overview = Overview::new(12, 50);
-    let made = |head: &Head| summary::summary(head, &overview, 200, None);
+    let made = |head: &Head| summary::summary(head, &overview, 200, ALONE);
     let html = made(&head);
     let labels = ["Date", "Prepared by", "Revision", "Signature"];
     assert!(
@@ -114,7 +114,7 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
             cards,
             ..crate::assessment::fixture::head(3)
         };
-        summary::summary(&head, &overview, 200, None)
+        summary::summary(&head, &overview, 200, ALONE)
     };
     assert!(
         listed(true).contains("id=\"print-cards\" checked")
