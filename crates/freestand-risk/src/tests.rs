@@ -10,11 +10,17 @@ fn a_space_before_the_unit_is_not_needed() {
     assert_eq!(aud("3e3 EUR"), Ok((3000.0, "EUR".to_owned())));
     assert_eq!(aud("3e3EUR"), Ok((3000.0, "EUR".to_owned())));
     assert_eq!(aud("0 AUD"), Ok((0.0, "AUD".to_owned())));
+    // Three digits after each comma: thousands, since no amount has three decimals.
+    assert_eq!(aud("1,020,000 AUD"), Ok((1_020_000.0, "AUD".to_owned())));
     for wrong in [
         "3000",
         "-1 AUD",
         "AUD",
-        "1,000 AUD",
+        "1,5 AUD",
+        "10,00 AUD",
+        "1,0000 AUD",
+        "1,000,00 AUD",
+        ",000 AUD",
         "",
         "1 000 AUD",
         "inf AUD",

@@ -123,8 +123,10 @@ pub struct Effect {
 /// A rigid hold lets the object move with its floor; a flexible one makes it an oscillator of one degree of freedom.
 /// With a(t) the horizontal acceleration of the centre of gravity, at the height c, the force is
 ///
-///     at the height z:  P = m |a| c/z, of both components together; the weight is not counted
-///     at the base:      T = (m |a| c − m (g + a_v) e)/(B − i), about the worse axis
+/// ```text
+/// at the height z:  P = m |a| c/z, of both components together; the weight is not counted
+/// at the base:      T = (m |a| c − m (g + a_v) e)/(B − i), about the worse axis
+/// ```
 ///
 /// Where it first exceeds the capacity, which is drawn in each world, the object is released: at rest, or with the
 /// velocity of the oscillator over c as ω. From there it is followed as without the restraint.

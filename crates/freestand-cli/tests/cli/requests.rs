@@ -58,6 +58,8 @@ fn typed(requests: impl Iterator<Item = Value>) {
         "library",
         "cushion_library",
         "restraints",
+        "since",
+        "sites",
         "list",
         "files",
         "spectrum",

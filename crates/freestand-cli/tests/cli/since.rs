@@ -73,8 +73,8 @@ fn a_folder_without_an_assessment_is_refused() {
         "assess",
         "--inventory",
         "list.csv",
-        "--pga",
-        "0.1 g",
+        "--place",
+        "Wellington",
         "--since",
     ];
     let told = |since: &str| refused(folder.path(), &[&assess[..], &[since]].concat());

@@ -471,6 +471,7 @@ def assess(
     cushion_library: PathLike | None = None,
     parquet: bool = False,
     outcomes: bool = False,
+    since: PathLike | None = None,
     budget: str | None = None,
     restraints: PathLike | None = None,
     horizon_years: float | None = None,
@@ -510,6 +511,8 @@ def assess(
         Whether anchored objects are assessed as if they were free.
     parquet, outcomes : bool, default False
         Whether to write objects.parquet, and what happened to every object in every world.
+    since : path, optional
+        Folder of an earlier assessment: the result then has `since`, with what is new, gone, done or worse.
     budget : str, optional
         The most that restraints may cost, such as "20000 NZD": the result then has their `plan`, life safety first.
     restraints : path, optional
@@ -539,7 +542,7 @@ def assess(
     )  # fmt: skip
     files = study_file(study) | {
         "spectrum": (spectrum, None), "columns": (columns, None), "library": (library, None),
-        "cushion_library": (cushion_library, None), "restraints": (restraints, None),
+        "cushion_library": (cushion_library, None), "restraints": (restraints, None), "since": (since, None),
     }  # fmt: skip
     _check_progress(progress)
     folder, own = _folder(out)

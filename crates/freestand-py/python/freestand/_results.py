@@ -347,6 +347,7 @@ class ObjectResult(Result):
     close_call: bool
     worlds_needed: int | None
     is_round: bool
+    body: dict[str, Any] | None
     clearance_needed_m: float | None
     clearance_m_median: float | None
     clearance_m_p84: float | None

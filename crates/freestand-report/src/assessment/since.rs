@@ -55,9 +55,12 @@ impl Changed {
         Self::Gone,
     ];
 
-    /// How one verdict followed on another; `None`: they are the same.
-    fn between(before: Decision, now: Decision) -> Option<Self> {
+    /// How one verdict followed on another; `None`: they are the same. What is anchored now has no verdict: where
+    /// something had to be done, it is done.
+    fn between(before: Decision, now: Decision, is_anchored: bool) -> Option<Self> {
         match (before, now) {
+            (Decision::NoVerdict | Decision::Leave, _) if is_anchored => None,
+            _ if is_anchored => Some(Self::Done),
             _ if before == now => None,
             (_, Decision::NoVerdict) => Some(Self::Unknown),
             // Where nothing was known, nothing was better.
@@ -187,9 +190,10 @@ impl Earlier {
                 let at = same.iter().position(is_it)?;
                 same.remove(at)
             });
+            let anchored = found.why.contains(&Reason::Anchored);
             let change = match &was {
                 None => Some(Changed::New),
-                Some(was) => Changed::between(was.decision, found.decision),
+                Some(was) => Changed::between(was.decision, found.decision, anchored),
             };
             let Some(change) = change else {
                 unchanged += 1;
@@ -203,7 +207,7 @@ impl Earlier {
                     item: item.item.clone(),
                     decision_before: was.as_ref().map(|was| was.decision.name()),
                     decision: Some(found.decision.name()),
-                    anchored: found.why.contains(&Reason::Anchored),
+                    anchored,
                     p_overturn_high_before: was.and_then(|was| was.p_overturn_high),
                     p_overturn_high: found.p_overturn.map(|p| p.high),
                 },
@@ -428,14 +432,18 @@ mod tests {
         ];
         for (before, now, change) in expected {
             assert_eq!(
-                Changed::between(before, now),
+                Changed::between(before, now, false),
                 change,
                 "{before:?} to {now:?}"
             );
         }
+        let anchored = [Restrain, Soften, Lock, NoVerdict, Leave]
+            .map(|before| Changed::between(before, NoVerdict, true));
+        let done = Some(Changed::Done);
+        assert_eq!(anchored, [done, done, done, None, None]);
         for one in Decision::ALL {
             for other in Decision::ALL {
-                assert_eq!(Changed::between(one, other).is_none(), one == other);
+                assert_eq!(Changed::between(one, other, false).is_none(), one == other);
             }
         }
     }
