@@ -31,7 +31,6 @@ pub mod shard;
 pub mod shock;
 pub mod shock_spectrum;
 pub mod simulate;
-pub mod sites;
 pub mod spectrum;
 pub mod static_test;
 pub mod synth;

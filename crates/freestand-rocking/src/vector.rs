@@ -246,6 +246,24 @@ const COS: [f64; 9] = [
     4.6464359591124806e-14,
 ];
 
+/// Numbers that are compared side by side: one comparison would wait for that before it.
+pub(crate) const ABREAST: usize = 8;
+
+/// The largest of the values of a function, which are numbers; −∞ without any.
+#[inline(always)]
+pub fn largest(values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
+    let larger = |most: f64, value: f64| if value > most { value } else { most };
+    let (abreast, rest) = values.as_chunks::<ABREAST>();
+    let mut most = [f64::NEG_INFINITY; ABREAST];
+    for values in abreast {
+        for (most, value) in most.iter_mut().zip(values) {
+            *most = larger(*most, of(*value));
+        }
+    }
+    let rest = rest.iter().map(|value| of(*value));
+    most.into_iter().chain(rest).fold(f64::NEG_INFINITY, larger)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -267,22 +285,4 @@ mod tests {
         // Rounding of the last digits; the largest error found is 8.9e-16.
         assert!(worst <= 1e-15, "{worst}");
     }
-}
-
-/// Numbers that are compared side by side: one comparison would wait for that before it.
-pub(crate) const ABREAST: usize = 8;
-
-/// The largest of the values of a function, which are numbers; −∞ without any.
-#[inline(always)]
-pub fn largest(values: &[f64], of: impl Fn(f64) -> f64) -> f64 {
-    let larger = |most: f64, value: f64| if value > most { value } else { most };
-    let (abreast, rest) = values.as_chunks::<ABREAST>();
-    let mut most = [f64::NEG_INFINITY; ABREAST];
-    for values in abreast {
-        for (most, value) in most.iter_mut().zip(values) {
-            *most = larger(*most, of(*value));
-        }
-    }
-    let rest = rest.iter().map(|value| of(*value));
-    most.into_iter().chain(rest).fold(f64::NEG_INFINITY, larger)
 }

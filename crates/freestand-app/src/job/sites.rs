@@ -15,7 +15,6 @@ use freestand_study::study::Study;
 use serde_json::json;
 
 use super::{Beside, Job, Spending, Told, assess_telling};
-use crate::sites::Site;
 
 /// Schema of the document of several sites.
 pub const SITES_SCHEMA: &str = "freestand.assess.sites/1";
@@ -24,40 +23,12 @@ pub const SITES_SCHEMA: &str = "freestand.assess.sites/1";
 pub struct SiteRun {
     /// Its name, which is that of its folder.
     pub name: String,
-    study: Study,
+    /// Its building and its hazard.
+    pub study: Study,
     /// Its list.
     pub inventory: Inventory,
-    budget: Option<Budget>,
-}
-
-/// Reads what each site needs, before any work.
-///
-/// # Errors
-/// Everything that is wrong with any of them; costs in another currency than the budget.
-pub fn sites_read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
-    let mut problems = Problems::default();
-    let mut read = Vec::new();
-    for site in sites {
-        let found = site.meant.study().and_then(|study| {
-            let inventory = site.meant.list.inventory(&study)?;
-            let budget = site.meant.budget(&inventory)?;
-            let name = site.name.clone();
-            Ok(SiteRun {
-                name,
-                study,
-                inventory,
-                budget,
-            })
-        });
-        match found {
-            Ok(one) => read.push(one),
-            Err(found) => found.problems.into_iter().for_each(|mut problem| {
-                problem.message = format!("[sites.{}]: {}", site.name, problem.message);
-                problems.push(problem);
-            }),
-        }
-    }
-    problems.finish(Some(read))
+    /// The budget, with what its list says of costs.
+    pub budget: Option<Budget>,
 }
 
 /// Assesses every site into a folder of its name in `target`, and writes beside them the table of all objects and the

@@ -1,7 +1,6 @@
 //! One file for each command.
 
 mod assess;
-mod assess_sites;
 mod check;
 mod completions;
 mod cushion;

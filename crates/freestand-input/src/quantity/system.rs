@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(UnitSystem::Us.moment(1110.4), "819 lbf·ft");
         assert_eq!(UnitSystem::Us.force(0.0), "0 lbf");
         assert_eq!(UnitSystem::Si.length_number(0.6), (600.0, "mm"));
-        let (lbf, unit) = UnitSystem::Us.force_number(4448.221_615_260_5);
+        let (lbf, unit) = UnitSystem::Us.force_number(4_448.221_615_260_5);
         assert!((lbf - 1000.0).abs() < 1e-9 && unit == "lbf", "{lbf}");
         assert_eq!(UnitSystem::Us.force(44_482.216), "10000 lbf");
     }

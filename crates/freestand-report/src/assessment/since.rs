@@ -399,7 +399,7 @@ pub(super) fn since_html(since: &Since) -> String {
             .map(|change| cells(change).iter().map(|cell| words(cell)).collect())
             .collect();
         if !rows.is_empty() {
-            html.push_str(&table(changed.title(), &[heads.clone()], &rows));
+            html.push_str(&table(changed.title(), std::slice::from_ref(&heads), &rows));
         }
         if all.len() > MOST_ROWS {
             let more = all.len() - MOST_ROWS;

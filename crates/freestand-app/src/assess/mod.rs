@@ -1,5 +1,7 @@
 //! `assess`: which objects of a list must be restrained.
 
+pub mod sites;
+
 use std::path::PathBuf;
 
 use crate::job::Job;
@@ -14,11 +16,11 @@ use freestand_report::assessment::Earlier;
 use freestand_risk::budget::{Budget, BudgetRequest};
 use freestand_risk::{amount, years};
 use freestand_study::study::{Study, TitleBlock};
+use sites::Site;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
 use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
-use crate::sites::{self, Site};
 
 /// The schema of the response.
 pub use crate::job::SCHEMA;

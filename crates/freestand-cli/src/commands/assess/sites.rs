@@ -3,15 +3,15 @@
 use std::path::Path;
 
 use freestand_app::assess::Meant;
-use freestand_app::job::{Job, SITES_SCHEMA, SiteRun, assess_sites, sites_read};
-use freestand_app::sites::Site;
+use freestand_app::assess::sites::{self, Site};
+use freestand_app::job::{Job, SITES_SCHEMA, SiteRun, assess_sites};
 use freestand_output::folder::removed_note;
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_report::assessment::{SitesReport, object_rows, sites_text};
 use serde_json::{Map, Value};
 
-use super::Done;
-use super::assess::{FOLDER, watched};
+use super::super::Done;
+use super::{FOLDER, watched};
 use crate::args::GlobalArgs;
 use crate::failure::Failure;
 use crate::printer::Printer;
@@ -23,7 +23,7 @@ pub(super) fn tell(
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let runs = sites_read(sites)?;
+    let runs = sites::read(sites)?;
     let out = global.folder(FOLDER);
     let job = Job {
         force: global.force,

@@ -10,8 +10,9 @@ use freestand_input::written::Written;
 use serde_json::{Map, Value};
 use toml_edit::{DocumentMut, Item, TomlError};
 
-use crate::assess::{Assess, Meant};
+use super::{Assess, Meant};
 use crate::files::Files;
+use crate::job::SiteRun;
 use crate::place::{FaultKeys, PlaceKeys};
 use crate::request::{Question as _, Request as _, from_entries, keys, request};
 
@@ -114,6 +115,35 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
         }
     }
     problems.finish(Some(sites))
+}
+
+/// Reads what each site needs, before any work.
+///
+/// # Errors
+/// Everything that is wrong with any of them; costs in another currency than the budget.
+pub fn read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
+    let mut problems = Problems::default();
+    let mut read = Vec::new();
+    for site in sites {
+        let found = site.meant.study().and_then(|study| {
+            let inventory = site.meant.list.inventory(&study)?;
+            let budget = site.meant.budget(&inventory)?;
+            Ok(SiteRun {
+                name: site.name.clone(),
+                study,
+                inventory,
+                budget,
+            })
+        });
+        match found {
+            Ok(one) => read.push(one),
+            Err(found) => found.problems.into_iter().for_each(|mut problem| {
+                problem.message = format!("[sites.{}]: {}", site.name, problem.message);
+                problems.push(problem);
+            }),
+        }
+    }
+    problems.finish(Some(read))
 }
 
 /// The keys that a site has of its own.

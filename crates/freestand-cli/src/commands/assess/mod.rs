@@ -1,5 +1,7 @@
 //! `freestand assess`: which objects of an inventory must be restrained.
 
+mod sites;
+
 use std::path::Path;
 
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -21,21 +23,21 @@ use freestand_study::run::{Progress, Step};
 use indicatif::ProgressBar;
 use serde_json::{Map, Value};
 
-use super::{Done, Tell, assess_sites};
+use super::{Done, Tell};
 use crate::args::GlobalArgs;
 use crate::failure::{Failure, Left};
 use crate::printer::Printer;
 
 /// Decide which objects of an inventory to restrain, to put on softer pads or to leave
 #[derive(Debug, Args)]
-#[command(after_help = include_str!("../help/assess.txt").trim_end())]
+#[command(after_help = include_str!("../../help/assess.txt").trim_end())]
 pub(crate) struct AssessArgs {
     #[command(flatten)]
-    pub(super) request: Assess,
+    pub(in crate::commands) request: Assess,
 }
 
 /// The folder where no `--out` is given.
-pub(super) const FOLDER: &str = "freestand-assessment";
+const FOLDER: &str = "freestand-assessment";
 
 impl Tell for Assess {
     type Output = ();
@@ -49,7 +51,7 @@ impl Tell for Assess {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         if let Some(sites) = &meant.sites {
-            return assess_sites::tell(&meant, sites, global, printer);
+            return sites::tell(&meant, sites, global, printer);
         }
         let study = meant.study()?;
         let inventory = meant.list.inventory(&study)?;
