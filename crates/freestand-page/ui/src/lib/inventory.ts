@@ -23,6 +23,16 @@ export interface Row {
   [column: string]: unknown;
 }
 
+/** The plan within a budget, and one of its measures. */
+export interface Plan {
+  budget: number; currency: string; cost: number; unfunded_life_safety_objects: number; unfunded_life_safety_cost: number;
+  life_safety_without_measure: number;
+}
+export interface PlanRow {
+  id: string; measure: string; quantity: number; cost: number; p_overturn: number;
+  p_overturn_after: number | null; p_overturn_after_low: number | null; p_overturn_after_high: number | null;
+}
+
 export const VERDICTS = { restrain: '▲', soften: '◆', lock: '■', 'no-verdict': '?', leave: '●' } as const;
 export type Verdict = keyof typeof VERDICTS;
 
