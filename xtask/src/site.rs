@@ -304,7 +304,7 @@ fn table(schema: &Value) -> String {
     rows
 }
 
-/// Where the links of a document lead, without those in code.
+/// Where the links of a document lead; what has a space in it is code.
 fn links(text: &str) -> impl Iterator<Item = &str> {
     let parts = text.split("](").skip(1);
     parts.filter_map(|part| {

@@ -125,7 +125,7 @@ request! { question
         /// Name of the anchor that you have chosen
         #[arg(long, value_name = "NAME")]
         pub anchor: Option<Written>,
-        /// Its design capacity in tension, to which the tension in concrete is compared
+        /// Its design capacity in tension, with which the tension in concrete is compared
         #[arg(long, value_name = "FORCE")]
         pub anchor_capacity: Option<Written>,
         /// Its design capacity in shear; the ratio of the shear is then added

@@ -62,7 +62,8 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
         problems.push(Problem::value(message, hint).of_key(key.clone()));
     }
     let bytes = load(path).map_err(|problem| problem.of(&["sites"]))?;
-    let text = String::from_utf8_lossy(&bytes);
+    let text = String::from_utf8(bytes)
+        .map_err(|_| wrong(path, "is not UTF-8, which TOML must be", "save it as UTF-8"))?;
     let document: DocumentMut = text.parse().map_err(|error: TomlError| {
         let message = format!("not TOML: {}", error.message().replace('`', "\""));
         wrong(
@@ -177,7 +178,8 @@ fn site(request: &Assess, path: &Path, item: &Item, files: &Files) -> Result<Mea
     }
     // A file is named from the folder of the file of sites.
     let folder = path.parent().unwrap_or(Path::new(""));
-    for name in [&mut own.study, &mut own.inventory].into_iter().flatten() {
+    let named = [&mut own.study, &mut own.inventory, &mut own.hazard.spectrum];
+    for name in named.into_iter().flatten() {
         *name = Written::Text(folder.join(name.text()).display().to_string());
     }
     if own.inventory.is_none() && own.study.is_none() {

@@ -330,8 +330,9 @@ fn worse(by_model: impl Iterator<Item = Probability>) -> Probability {
     by_model.reduce(larger).unwrap_or(UNKNOWN)
 }
 
+/// Whatever may happen: nothing is better for not being known.
 const UNKNOWN: Probability = Probability {
-    value: 0.0,
+    value: 1.0,
     low: 0.0,
     high: 1.0,
 };

@@ -6,17 +6,18 @@ use serde_json::Value;
 
 use crate::program::{document, refused};
 
-const HEAD: &str = "id,item,level_ratio,height,thickness,mass,life_safety,falls_cost\n";
+const HEAD: &str = "id,item,level_ratio,height,thickness,mass,life_safety,falls_cost,wall_gap\n";
 const FILE: &str = "[sites.Wellington]\nplace = \"Wellington\"\nstoreys = 6\ninventory = \"lists/a.csv\"\n\n\
                     [sites.\"Auckland 2\"]\nplace = \"Auckland\"\nstoreys = 3\ninventory = \"lists/b.csv\"\n";
 
 fn written(folder: &Path) {
     std::fs::create_dir(folder.join("lists")).unwrap();
     // Only the second list has a column of its own.
-    let a =
-        format!("{HEAD}shelf,shelf,0,2 m,0.3 m,100 kg,high,500\ndesk,desk,0,0.8 m,1.4 m,60 kg,,\n");
+    let a = format!(
+        "{HEAD}shelf,shelf,0,2 m,0.3 m,100 kg,high,500,0 mm\ndesk,desk,0,0.8 m,1.4 m,60 kg,,,\n"
+    );
     std::fs::write(folder.join("lists/a.csv"), a).unwrap();
-    let b = "id,item,level_ratio,height,thickness,mass,owner\nshelf,shelf,0,2 m,0.3 m,100 kg,Ann\n";
+    let b = "id,item,level_ratio,height,thickness,mass,wall_gap,owner\nshelf,shelf,0,2 m,0.3 m,100 kg,0 mm,Ann\n";
     std::fs::write(folder.join("lists/b.csv"), b).unwrap();
     std::fs::write(folder.join("sites.toml"), FILE).unwrap();
 }
@@ -77,7 +78,8 @@ fn sites_are_assessed_together() {
     let plan = told["plan"].as_array().unwrap();
     let cost: f64 = plan.iter().map(|row| row["cost"].as_f64().unwrap()).sum();
     assert!((cost - told["budget"]["cost"].as_f64().unwrap()).abs() < 1e-9);
-    assert!(cost <= 5000.0);
+    assert!(cost <= 5000.0 && cost > 0.0 && !plan.is_empty());
+    assert_eq!(plan[0]["site"], "Wellington");
     let written = std::fs::read_to_string(here.join("out/plan.csv")).unwrap();
     assert_eq!(written.lines().count(), 1 + plan.len());
     assert!(here.join("out/Auckland 2/report.html").is_file());

@@ -717,19 +717,20 @@ await story('no list yet: an example, a template, a table to type in', {}, async
   await picture(page, 'inventory-typed');
 });
 
-await story('objects arrive one by one, with the time that is left', {}, async (page) => {
+await story('first estimates come before the verdicts, with the time that is left', {}, async (page) => {
   await uploaded(page);
   await page.evaluate(() => {
-    window.counts = [];
-    const look = () => window.counts.push(document.querySelectorAll('#objects tr[data-id]').length);
+    window.seen = [];
+    const look = () => window.seen.push(['#estimates', '#objects'].map((table) => document.querySelectorAll(`${table} tr[data-id]`).length));
     new MutationObserver(look).observe(document.body, { childList: true, subtree: true });
   });
   await page.click('#assess');
   await page.waitForSelector('#left, #ended:not(:empty)', LONG);
   await assessed(page, 4);
-  // Some are there before all are.
-  const counts = await page.evaluate(() => window.counts);
-  assert.ok(counts.some((count) => count > 0 && count < 4), `${[...new Set(counts)]}`);
+  // An estimate is no verdict: the table of verdicts comes after it, and takes its place.
+  const seen = await page.evaluate(() => window.seen);
+  assert.ok(seen.some(([estimates, verdicts]) => estimates > 0 && verdicts === 0), JSON.stringify(seen));
+  assert.ok(seen.every(([estimates, verdicts]) => estimates === 0 || verdicts === 0), JSON.stringify(seen));
 });
 
 await story('a list by keyboard alone', { long: true }, async (page) => {

@@ -100,8 +100,7 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
     if plan.without_measure > 0 {
         let objects = counted(plan.without_measure as usize, "object");
         said.push(format!(
-            "{objects} whose fall may hurt somebody: no option has a calculated effect. Restrain them all the same, by \
-             their forces."
+            "Life safety without a calculated option: {objects}. Restrain all the same, for the force in the work list."
         ));
     }
     let planned = plan.planned().map(|row| row.quantity as usize).sum();
@@ -110,8 +109,8 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
         false => " It is the best that was found in the time allowed.",
     };
     said.push(format!(
-        "The plan restrains {} for {} {currency} of {} {currency}. Life safety comes first: most expected falls are \
-         avoided of objects rated high, then of those rated medium; what is left goes to {}.{optimal}",
+        "The plan restrains {} for {} {currency}; the budget is {} {currency}. Life safety comes first: the plan avoids as \
+         many expected falls as it can, of objects rated high, then of those rated medium; what is left goes to {}.{optimal}",
         counted(planned, "object"),
         amount(plan.cost),
         amount(plan.amount),
@@ -127,7 +126,7 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
 pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
     let mut said = Vec::new();
     said.push(match (plan.has_rates, plan.has_costs) {
-        (false, _) => "No yearly rates are known for this place: its code has one return period, or none. The plan counts \
+        (false, _) => "No annual rates are known for this place: its code has one return period, or none. The plan counts \
                        falls in the earthquake of the study."
             .to_owned(),
         (true, false) => "The list has no costs of falls, such as a replacement cost: beyond life safety nothing is planned."
@@ -144,10 +143,10 @@ pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
         ),
     });
     said.push(format!(
-        "A restraint holds until the force on it exceeds its capacity, which is lognormal{}. Then the object is free from \
-         that instant. The upper end of the probability with a restraint is never below the probability that its \
+        "A restraint holds until the force on it exceeds its capacity, which is lognormal{}. From that instant the \
+         object is free. The upper end of the probability with a restraint is never below the probability that its \
          capacity is exceeded.",
-        match plan.rows.iter().any(|row| row.capacity_n.is_some() && row.beta == ASSUMED_BETA) {
+        match plan.rows.iter().any(|row| row.capacity_n.is_some() && row.beta_is_assumed) {
             true => format!("; β = {ASSUMED_BETA} is assumed where no test is known"),
             false => String::new(),
         }
@@ -264,6 +263,10 @@ fn cells(row: &PlanRow) -> [String; 9] {
     ]
 }
 
+/// Where the console says what a plan rests on.
+pub(super) const WHERE_ASSUMED: &str =
+    "Capacities and prices that are recalled or assumed are named in report.html\n";
+
 /// The plan for the console.
 pub(super) fn plan_text(plan: &BudgetPlan) -> String {
     let mut text = sentences(plan).join("\n") + "\n\n";
@@ -285,11 +288,11 @@ pub(super) fn plan_text(plan: &BudgetPlan) -> String {
     let unpaid = count(NotPlanned::DoesNotPay);
     if unpaid > 0 {
         text += &format!(
-            "{} would not pay: {ALTERNATIVES_NAME}\n",
+            "{} would not pay: see {ALTERNATIVES_NAME}\n",
             counted(unpaid, "option")
         );
     }
-    text + "Capacities and prices that are recalled or assumed are named in report.html\n"
+    text
 }
 
 fn with_currency(head: &str, plan: &BudgetPlan) -> String {

@@ -319,19 +319,19 @@ fn sentences(since: &Since) -> Vec<String> {
     });
     if anchored > 0 {
         said.push(format!(
-            "Of those done, the list says of {} that it is anchored; nobody has calculated whether the anchors hold.",
+            "Done by anchors: {}, as the list says; nobody has calculated whether the anchors hold.",
             counted(anchored, "object")
         ));
     }
     if only_lists > 0 {
         said.push(format!(
-            "{} done without an anchor: other values of the list or of the study changed the verdict.",
+            "{} counted as done without an anchor: other values of the list or of the study changed the verdict.",
             counted(only_lists, "object")
         ));
     }
     if since.other_study {
         said.push(
-            "The study, its records or its seeds were others: verdicts may differ for this reason alone."
+            "The study, its records or its seeds have changed: verdicts may differ for this reason alone."
                 .to_owned(),
         );
     }

@@ -13,7 +13,7 @@ use freestand_output::table::Table;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 
 use super::csv::CSV_NAME;
-use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, plan_text};
+use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text};
 use super::told::JobReport;
 use crate::table::table;
 
@@ -225,7 +225,11 @@ pub fn sites_text(report: &SitesReport) -> String {
         counted(report.sites.len(), "site")
     ));
     if let Some(plan) = &report.budget {
-        text.push_str(&format!("\n{}", plan_text(plan)));
+        text.push_str(&format!("\n{}\n", plan_text(plan)));
+        // The report of no site has the plan over all of them.
+        for assumed in assumptions(plan) {
+            text.push_str(&format!("- {assumed}\n"));
+        }
     }
     let shared = report.files.iter().filter(|name| !name.contains('/'));
     let named: Vec<&str> = shared.map(String::as_str).collect();

@@ -47,6 +47,7 @@ pub fn assessment_text(report: &JobReport) -> String {
     }
     if let Some(plan) = &report.budget {
         text.push_str(&format!("\n{}", super::plan::plan_text(plan)));
+        text.push_str(super::plan::WHERE_ASSUMED);
     }
     if let Some(since) = &report.since {
         text.push_str(&format!("\n{}", super::since::since_text(since)));

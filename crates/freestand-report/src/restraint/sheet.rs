@@ -103,7 +103,7 @@ pub fn restraint_sheets(report: &RestrainListReport) -> String {
             .into_iter()
             .map(|problem| format!("In the list: {problem}")),
     );
-    html.push_str(&heading("Assumed, and to be known"));
+    html.push_str(&heading("Assumptions and warnings"));
     html.push_str(&bullets(&notes));
     for one in &held.objects {
         let Ok(case) = &one.found else {

@@ -122,7 +122,7 @@ pub(super) fn tension_formula(pivot: Pivot) -> &'static str {
 
 /// What a ratio of demand to capacity means, and what it does not.
 pub(super) const DESIGN_CAPACITY: &str = "The capacity that was entered is taken as the design capacity of one anchor. It is not \
-                               the median strength, which is far higher: do not use one for the other.";
+                               the median strength, which is far higher: do not use one in place of the other.";
 
 /// `M10 bolt: 6.2 kN in tension, 5 kN in shear`.
 pub(super) fn capacity_words(anchor: &Anchor, units: UnitSystem) -> String {
@@ -136,7 +136,7 @@ pub(super) fn capacity_words(anchor: &Anchor, units: UnitSystem) -> String {
     format!("{name}{} in tension{shear}", units.force(anchor.tension_n))
 }
 
-/// `0.62 of it`, or that it is exceeded; where no shear capacity is known, that of the tension alone.
+/// `0.62 (tension and shear in concrete): enough by this sum`; where no shear capacity is known, of the tension alone.
 pub(super) fn utilisation_words(case: &Case) -> Option<String> {
     let anchor = case.request.anchors.chosen.as_ref()?;
     let ratio = case.demand_capacity_ratio()?;
@@ -148,7 +148,7 @@ pub(super) fn utilisation_words(case: &Case) -> Option<String> {
     let of = if anchor.shear_n.is_some() {
         "tension and shear in concrete"
     } else {
-        "tension in concrete alone, the shear was not compared"
+        "tension in concrete alone; the shear was not compared"
     };
     Some(format!("{} ({of}): {verdict}", number(ratio, 3)))
 }

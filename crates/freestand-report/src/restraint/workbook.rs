@@ -59,13 +59,13 @@ const COLUMNS: [Column; 22] = [
     ("tension along one edge", 12.0, Kind::Force, |row| {
         number(row.anchor_tension_n)
     }),
-    ("in concrete", 12.0, Kind::Force, |row| {
+    ("the same in concrete", 12.0, Kind::Force, |row| {
         number(row.anchor_tension_concrete_n)
     }),
     ("tension of one anchor", 12.0, Kind::Force, |row| {
         number(row.tension_of_each_n)
     }),
-    ("in concrete", 12.0, Kind::Force, |row| {
+    ("of one anchor in concrete", 12.0, Kind::Force, |row| {
         number(row.tension_concrete_of_each_n)
     }),
     ("shear of one anchor", 12.0, Kind::Force, |row| {

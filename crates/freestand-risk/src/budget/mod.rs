@@ -267,10 +267,14 @@ pub struct PlanRow {
     pub currency: String,
     /// Median capacity of the restraint \[N\].
     pub capacity_n: Option<f64>,
-    /// Whether β of the capacity is assumed.
+    /// Standard deviation of the logarithm of its capacity.
     pub beta: f64,
+    /// Whether nobody states it.
+    pub beta_is_assumed: bool,
     /// How far the capacity and the price can be trusted.
     pub confidence: (Option<Confidence>, Confidence),
+    /// The verdict of the assessment.
+    pub decision: Decision,
     /// The probability that it falls as it stands.
     pub before: Probability,
     /// What the measure does; `None`: not calculated.
@@ -425,6 +429,7 @@ pub struct Priced {
 /// An object that may be restrained.
 struct Candidate<'a> {
     item: &'a Item,
+    decision: Decision,
     before: Probability,
     entries: Vec<&'a RestraintEntry>,
 }
@@ -502,6 +507,7 @@ impl Budget {
         };
         Some(Candidate {
             item: row.item,
+            decision: row.found.decision,
             before,
             entries: self.library.entries().iter().filter(suits).collect(),
         })
@@ -560,7 +566,9 @@ impl Budget {
             currency: self.currency.clone(),
             capacity_n: entry.capacity_n,
             beta: entry.beta,
+            beta_is_assumed: entry.beta_is_assumed,
             confidence: (entry.capacity_confidence, entry.price_confidence),
+            decision: candidate.decision,
             before: candidate.before,
             effect,
             rates,
@@ -643,9 +651,9 @@ impl Budget {
         let mut without_measure = 0;
         for object in 0..objects {
             let mut own = rows.iter().filter(|(place, _)| *place == object);
-            let is_rated = own
-                .clone()
-                .any(|(_, row)| row.life_safety.0 > Some(Rating::Low));
+            let is_rated = own.clone().any(|(_, row)| {
+                row.life_safety.0 > Some(Rating::Low) && row.decision != Decision::Leave
+            });
             if is_rated && own.all(|(_, row)| row.effect.is_none()) {
                 without_measure += quantity(object);
             }

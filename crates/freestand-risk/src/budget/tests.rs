@@ -103,7 +103,9 @@ fn row(object: usize, measure: usize, draw: &mut impl FnMut(f64, f64) -> f64) ->
         currency: "NZD".to_owned(),
         capacity_n: Some(1.0),
         beta: 0.3,
+        beta_is_assumed: true,
         confidence: (None, Confidence::Stated),
+        decision: Decision::Restrain,
         before: probability(before),
         effect: Some(Effect {
             overturn: probability(after),

@@ -109,7 +109,7 @@ pub(super) fn curve(
     if out.points.len() < 2 {
         let count = out.points.len();
         let message = format!(
-            "{} of the site {} a probability between 0 and 1, but a hazard curve needs two",
+            "{} of the site {} a rate above 0 or a probability between 0 and 1, but a hazard curve needs two",
             counted(count, "intensity"),
             if count == 1 { "has" } else { "have" }
         );
