@@ -142,6 +142,19 @@ pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
             }
         ),
     });
+    if plan.extends {
+        said.push(
+            "Below the shortest return period of the code, the slope of its hazard between the two shortest goes on."
+                .to_owned(),
+        );
+    }
+    if plan.rows.iter().any(|row| row.is_at_least) {
+        said.push(
+            "A loss marked ≥ is a bound: the object may also fall in earthquakes weaker than those that were calculated. \
+             So an option that does not pay may pay."
+                .to_owned(),
+        );
+    }
     said.push(format!(
         "A restraint holds until the force on it exceeds its capacity, which is lognormal{}. From that instant the \
          object is free. The upper end of the probability with a restraint is never below the probability that its \
@@ -258,8 +271,10 @@ fn cells(row: &PlanRow) -> [String; 9] {
         force(row),
         probability(row.before),
         after(row),
-        row.losses
-            .map_or("–".to_owned(), |[before, after]| amount(before - after)),
+        row.losses.map_or("–".to_owned(), |[before, after]| {
+            let least = if row.is_at_least { "≥ " } else { "" };
+            format!("{least}{}", amount(before - after))
+        }),
     ]
 }
 
@@ -269,12 +284,30 @@ pub(super) const WHERE_ASSUMED: &str =
 
 /// The plan for the console.
 pub(super) fn plan_text(plan: &BudgetPlan) -> String {
+    text_of(plan, None)
+}
+
+/// The same with the site of each option.
+pub(super) fn plan_text_of_sites(plan: &BudgetPlan, sites: &[String]) -> String {
+    text_of(plan, Some(sites))
+}
+
+fn text_of(plan: &BudgetPlan, sites: Option<&[String]>) -> String {
     let mut text = sentences(plan).join("\n") + "\n\n";
-    let rows: Vec<Vec<String>> = plan.planned().map(|row| cells(row).to_vec()).collect();
+    let site = |at: usize| sites.and_then(|sites| sites.get(at)).cloned();
+    let rows: Vec<Vec<String>> = plan
+        .rows
+        .iter()
+        .enumerate()
+        .filter(|(_, row)| row.is_planned())
+        .map(|(at, row)| site(at).into_iter().chain(cells(row)).collect())
+        .collect();
     if !rows.is_empty() {
-        let heads: Vec<String> = HEADINGS
-            .iter()
-            .map(|(head, _)| with_currency(head, plan))
+        let own = HEADINGS.iter().map(|(head, _)| with_currency(head, plan));
+        let heads: Vec<String> = sites
+            .map(|_| "site".to_owned())
+            .into_iter()
+            .chain(own)
             .collect();
         let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
         text += &text_table(&heads, &rows);

@@ -13,7 +13,7 @@ use freestand_output::table::Table;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 
 use super::csv::CSV_NAME;
-use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text};
+use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text_of_sites};
 use super::told::JobReport;
 use crate::table::table;
 
@@ -225,7 +225,9 @@ pub fn sites_text(report: &SitesReport) -> String {
         counted(report.sites.len(), "site")
     ));
     if let Some(plan) = &report.budget {
-        text.push_str(&format!("\n{}\n", plan_text(plan)));
+        let all = report.plan_alternatives.iter().flatten();
+        let sites: Vec<String> = all.map(|row| row.site.clone()).collect();
+        text.push_str(&format!("\n{}\n", plan_text_of_sites(plan, &sites)));
         // The report of no site has the plan over all of them.
         for assumed in assumptions(plan) {
             text.push_str(&format!("- {assumed}\n"));

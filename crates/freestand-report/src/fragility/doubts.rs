@@ -158,7 +158,7 @@ pub(super) fn why_no_interval(why: NoInterval) -> String {
 }
 
 /// What to know beside a hazard.
-pub(crate) fn hazard_doubt(doubt: HazardDoubt) -> String {
+pub(crate) fn hazard_doubt(doubt: &HazardDoubt) -> String {
     let left_out =
         |count: usize, why: &str| format!("hazard: {} left out: {why}", counted(count, "point"));
     match doubt {
@@ -166,22 +166,25 @@ pub(crate) fn hazard_doubt(doubt: HazardDoubt) -> String {
             "`site_coordinates` has no effect: the file of the hazard curve has no sites".to_owned()
         }
         HazardDoubt::CertainPoints(count) => left_out(
-            count,
+            *count,
             "the probability is 1, so the rate is not known",
         ),
         HazardDoubt::EqualPoints(count) => left_out(
-            count,
+            *count,
             "the next, stronger intensity has the same probability",
         ),
         HazardDoubt::SiteAway { metres } => format!(
             "hazard: the site of the file is {} km from the coordinates that were asked for",
-            number(f64::from(metres) / 1e3, 2)
+            number(f64::from(*metres) / 1e3, 2)
         ),
         HazardDoubt::SlopeOfPlace => {
             "the hazard goes through the return periods of the place: the interval of a rate counts that its slope may be \
              smaller or larger by 0.5"
                 .to_owned()
         }
+        HazardDoubt::AssumedSite(site) => format!(
+            "hazard: {site} is assumed, because no `site` was given; another one may change a rate several times"
+        ),
         HazardDoubt::DesignAccelerations => {
             "the rates are those of design accelerations of a code, without its minimum and maximum: they are not a \
              hazard study of the site"

@@ -37,7 +37,7 @@ pub fn export_files(exported: Exported) -> Result<ExportFiles, Problem> {
 pub(super) fn doubt(doubt: &ExportDoubt) -> String {
     match doubt {
         ExportDoubt::Cost(doubt) => cost_doubt(doubt),
-        ExportDoubt::Hazard(doubt) => hazard_doubt(*doubt),
+        ExportDoubt::Hazard(doubt) => hazard_doubt(doubt),
         ExportDoubt::NotInInventory(id) => {
             format!("{id}: not in the inventory, so one object without costs is exported")
         }

@@ -95,7 +95,7 @@ impl<'r> RunsAnswer<'r> {
                 }
             }
         }
-        warnings.extend(self.runs.hazard_doubts().map(hazard_doubt));
+        warnings.extend(self.runs.hazard_doubts().map(|doubt| hazard_doubt(&doubt)));
         if let RunObjects::Given(object) = &self.runs.request.objects {
             warnings.extend(Sizes::of(&object.block).doubts());
             let body = object.body.iter();

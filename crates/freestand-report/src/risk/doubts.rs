@@ -77,7 +77,7 @@ fn intensity(measure: Measure, value: f64) -> String {
 fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
     vec![match doubt {
         Doubt::Curves(doubts) => return curve_doubts(doubts),
-        Doubt::Hazard(doubt) => hazard_doubt(*doubt),
+        Doubt::Hazard(doubt) => hazard_doubt(doubt),
         Doubt::Cost(doubt) => cost_doubt(doubt),
         Doubt::BeginsTooHigh { first: begin, ids } => format!(
             "the hazard curve begins at {}, but weaker motions also reach limit states of {}: their rates are at \

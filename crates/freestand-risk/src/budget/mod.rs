@@ -378,6 +378,8 @@ pub struct BudgetPlan {
     pub is_horizon_assumed: bool,
     /// Whether yearly rates are known; else falls in the earthquake of the study count.
     pub has_rates: bool,
+    /// Whether the yearly rates go on below the return periods of the code.
+    pub extends: bool,
     /// Whether the list says what a fall costs.
     pub has_costs: bool,
     /// What the prices of built-in restraints were multiplied by; `None`: they are in the currency of the budget.
@@ -423,6 +425,8 @@ pub struct Priced {
     rows: Vec<(usize, PlanRow)>,
     objects: usize,
     has_rates: bool,
+    /// Whether the rates go on below the return periods of the code.
+    extends: bool,
     has_costs: bool,
 }
 
@@ -457,7 +461,8 @@ impl Budget {
             candidates.extend(self.candidate(row?));
         }
         debug_assert!(candidates.len() <= inventory.items.len());
-        let hazard = rates::rates_of(study);
+        let (hazard, extends) = rates::rates_of(study).unzip();
+        let extends = extends.unwrap_or(false);
         let measures = |entries: &[&RestraintEntry]| {
             entries.iter().filter_map(|entry| measure(entry)).collect()
         };
@@ -485,6 +490,7 @@ impl Budget {
             rows,
             objects: candidates.len(),
             has_rates: hazard.is_some(),
+            extends,
             has_costs: self.has_costs,
         })
     }
@@ -529,7 +535,7 @@ impl Budget {
             .and_then(|(effect, (free, hazard))| {
                 let before = rate(&free.free, hazard)?;
                 let after = rate(&effect.levels, hazard)?;
-                Some(([before.0, after.0.min(before.0)], before.1))
+                Some(([before.0, after.0], before.1))
             });
         let rates = rated.map(|(rates, _)| rates);
         let cost = self.costs.get(&item.id).filter(|cost| cost.has_costs());
@@ -585,6 +591,7 @@ impl Budget {
             mut rows,
             objects,
             has_rates,
+            extends,
             has_costs,
         } = priced;
         let worths: Vec<Worth> = rows
@@ -646,7 +653,11 @@ impl Budget {
             let of = rows.iter().find(|(place, _)| *place == object);
             of.map_or(0, |(_, row)| row.quantity)
         };
-        let unfunded_cost = spent.unfunded.iter().map(|worth| worth.cost).sum();
+        // An empty sum is −0.
+        let unfunded_cost: f64 = spent
+            .unfunded
+            .iter()
+            .fold(0.0, |sum, worth| sum + worth.cost);
         let unfunded_objects = unfunded.iter().map(|object| quantity(*object)).sum();
         let mut without_measure = 0;
         for object in 0..objects {
@@ -695,6 +706,7 @@ impl Budget {
             discount_ratio: self.discount_ratio,
             is_horizon_assumed: self.is_horizon_assumed,
             has_rates,
+            extends,
             has_costs,
             converted,
             unfunded: (unfunded_objects, unfunded_cost),
@@ -718,6 +730,7 @@ pub fn plan_over_sites(
         rows: Vec::new(),
         objects: 0,
         has_rates: sites.iter().all(|(_, _, priced)| priced.has_rates),
+        extends: sites.iter().any(|(_, _, priced)| priced.extends),
         has_costs: sites.iter().any(|(_, _, priced)| priced.has_costs),
     };
     let mut names: Vec<String> = Vec::new();

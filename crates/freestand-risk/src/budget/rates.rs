@@ -9,9 +9,14 @@ use freestand_study::study::Study;
 /// depend on the class.
 const TS_CLASS: usize = 2;
 
+/// Weaker earthquakes than this, over that of the study, are asked of no object.
+const LEAST_RATIO: f64 = 0.4;
+
 /// The yearly rate of earthquakes by their intensity over that of the study, between the return periods for
-/// which its code or its place has accelerations; `None`: it has one return period alone, or none.
-pub(super) fn rates_of(study: &Study) -> Option<Hazard> {
+/// which its code or its place has accelerations, and whether it goes on below them: objects that fall in weaker
+/// earthquakes fall more often than in those of the shortest return period. `None`: there is one return period alone,
+/// or none.
+pub(super) fn rates_of(study: &Study) -> Option<(Hazard, bool)> {
     let target = study.ground.code_spectrum()?;
     let own_years = f64::from(target.spectrum.return_period_years()?);
     let place = target.place.as_ref().map(|place| place.hazard);
@@ -35,7 +40,7 @@ pub(super) fn rates_of(study: &Study) -> Option<Hazard> {
 }
 
 /// Rates by the intensity over that of `own_years`, which lies between two return periods on a line in logarithms.
-fn relative(mut levels: Vec<(u32, f64)>, own_years: f64) -> Option<Hazard> {
+fn relative(mut levels: Vec<(u32, f64)>, own_years: f64) -> Option<(Hazard, bool)> {
     levels.sort_by_key(|(years, _)| *years);
     // Codes limit the rarest motions: equal accelerations say nothing of rates.
     levels.dedup_by(|next, before| next.1 <= before.1);
@@ -44,7 +49,23 @@ fn relative(mut levels: Vec<(u32, f64)>, own_years: f64) -> Option<Hazard> {
             intensity: intensity / scale,
             annual_rate: 1.0 / f64::from(years),
         };
-        Hazard::points(levels.iter().map(point).collect()).ok()
+        let mut points: Vec<HazardPoint> = levels.iter().map(point).collect();
+        // The line through the two shortest return periods goes on.
+        let extends = match points[..] {
+            [first, second, ..] if first.intensity > LEAST_RATIO => {
+                let k = (first.annual_rate / second.annual_rate).ln()
+                    / (second.intensity / first.intensity).ln();
+                let more = (first.intensity / LEAST_RATIO).powf(k);
+                let least = HazardPoint {
+                    intensity: LEAST_RATIO,
+                    annual_rate: first.annual_rate * more,
+                };
+                points.insert(0, least);
+                true
+            }
+            _ => false,
+        };
+        Some((Hazard::points(points).ok()?, extends))
     };
     let after = levels
         .iter()
@@ -66,10 +87,15 @@ mod tests {
     fn rates_are_those_of_the_return_periods() {
         let levels = vec![(2500, 5.0), (100, 1.0)];
         for (own_years, s, expected) in [(100.0, 5.0, 1.0 / 2500.0), (400.0, 2.0, 1.0 / 1600.0)] {
-            let found = relative(levels.clone(), own_years).unwrap().annual_rate(s);
+            let (hazard, extends) = relative(levels.clone(), own_years).unwrap();
+            assert_eq!(extends, own_years < 400.0);
+            let found = hazard.annual_rate(s);
             // Rounding of logarithms.
             assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
         }
         assert!(relative(vec![(475, 0.3)], 475.0).is_none());
+        // Below the shortest return period the slope goes on: half of its intensity is four times as frequent.
+        let (hazard, _) = relative(levels, 100.0).unwrap();
+        assert!((hazard.annual_rate(0.5) * 25.0 - 1.0).abs() < 1e-12);
     }
 }

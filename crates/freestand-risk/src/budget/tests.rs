@@ -126,6 +126,7 @@ fn priced(rows: Vec<(usize, PlanRow)>, objects: usize, has_rates: bool) -> Price
         rows,
         objects,
         has_rates,
+        extends: false,
         has_costs: true,
     }
 }

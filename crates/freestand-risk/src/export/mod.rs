@@ -233,7 +233,7 @@ pub fn export(report: &FragilityReport, request: &ExportRequest) -> Result<Expor
                 .transpose()?;
             // The coordinates are those of the objects, too.
             let of_hazard = hazard.iter().flat_map(|hazard| &hazard.doubts);
-            doubts.extend(of_hazard.copied().map(ExportDoubt::Hazard));
+            doubts.extend(of_hazard.cloned().map(ExportDoubt::Hazard));
             openquake::files(
                 report,
                 request,

@@ -101,7 +101,7 @@ pub enum FitDoubt {
 }
 
 /// What to know beside a hazard.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
+#[derive(Debug, Clone, PartialEq, Eq, EnumCount)]
 pub enum HazardDoubt {
     /// Coordinates are given, and its file has no sites.
     IdleSite,
@@ -118,6 +118,8 @@ pub enum HazardDoubt {
     DesignAccelerations,
     /// It goes through the few return periods of a place.
     SlopeOfPlace,
+    /// Nobody stated the class of the site: this one was used.
+    AssumedSite(String),
 }
 
 /// A column of a table that nothing reads.

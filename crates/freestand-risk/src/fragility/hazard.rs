@@ -115,7 +115,7 @@ impl MeasuredHazard {
     ) -> impl Iterator<Item = HazardDoubt> {
         let is_idle = site_deg.is_some() && !self.has_sites;
         let idle = is_idle.then_some(HazardDoubt::IdleSite);
-        idle.into_iter().chain(self.doubts.iter().copied())
+        idle.into_iter().chain(self.doubts.iter().cloned())
     }
 
     /// Refuses a hazard of another measure than that of outcomes.
@@ -470,10 +470,12 @@ fn of_place(name: &str, site: Option<&str>, measure: Measure) -> Result<Measured
         }
         _ => None,
     };
+    let mut assumed_site = None;
     let years = place.hazard.return_periods();
     let read = if let Some((code, class, factor)) = factor {
         // As in `near_fault_ratio`, a fault counts up to 20 km.
         let km = place.fault_distance_km.filter(|km| *km < FAR_KM);
+        assumed_site = site.is_none().then(|| format!("site class {class}"));
         of_code(code, site.unwrap_or(class), factor, km, measure)?
     } else if let [_, _, ..] = years[..] {
         let mut points: Vec<HazardPoint> = Vec::new();
@@ -485,6 +487,9 @@ fn of_place(name: &str, site: Option<&str>, measure: Measure) -> Result<Measured
             }
             let target = Target::resolve_place(&words)?;
             let intensity = target.spectrum.sa_g(period_s);
+            if site.is_none() && target.spectrum.site_name().is_some() {
+                assumed_site = Some(target.site_words());
+            }
             // Values with two digits may be equal at the shortest return periods: the rarer one counts.
             if points
                 .last()
@@ -522,6 +527,7 @@ fn of_place(name: &str, site: Option<&str>, measure: Measure) -> Result<Measured
     };
     let mut doubts = read.doubts.clone();
     doubts.push(HazardDoubt::SlopeOfPlace);
+    doubts.extend(assumed_site.map(HazardDoubt::AssumedSite));
     Ok(MeasuredHazard {
         tilted,
         doubts,

@@ -6,7 +6,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{canonical, number};
 
-use super::cities::cities;
+use super::cities::{City, cities};
 use super::rows::by_hand;
 use super::{Confidence, Coordinates, Place, PlaceHazard, Size, grid, places};
 use freestand_records::tables::hazard::Wanted;
@@ -151,15 +151,29 @@ fn away(near: &[(String, f64)]) -> String {
 /// What there is at a large city that has no row of its own: a point of a grid, a place that is this city by another name, or the
 /// places that are near. `None`: no such city is known.
 fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> {
-    let city = cities().iter().find(|city| {
-        city.names.iter().any(|name| {
-            let rest = wanted.strip_prefix(name.as_str());
-            rest.is_some_and(|rest| {
-                let rest = rest.trim_start();
-                rest.is_empty() || is_country(rest, &city.country)
-            })
+    let has = |city: &City, name: &str| {
+        let rest = wanted.strip_prefix(name);
+        rest.is_some_and(|rest| {
+            let rest = rest.trim_start();
+            rest.is_empty() || is_country(rest, &city.country)
         })
-    })?;
+    };
+    // The name of a city comes before another city's old or foreign one.
+    let mut called: Vec<&City> = cities()
+        .iter()
+        .filter(|city| city.names.first().is_some_and(|name| has(city, name)))
+        .collect();
+    if called.is_empty() {
+        let other = |city: &&City| city.names.iter().any(|name| has(city, name));
+        called.extend(cities().iter().find(other));
+    }
+    let city = *called.first()?;
+    if called.iter().any(|other| other.country != city.country) {
+        let names = called
+            .iter()
+            .map(|city| format!("{}, {}", city.name, city.country));
+        return Some(Err(NotFound::Several(names.collect())));
+    }
     let name = format!("{}, {}", city.name, city.country);
     Some(at(city.at, code).map_err(|why| match why {
         NotFound::Far(near, _) if near.is_empty() => {

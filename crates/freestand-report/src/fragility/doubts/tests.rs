@@ -103,6 +103,7 @@ fn every_doubt_in_words() {
         HazardDoubt::SiteAway { metres: 2345 },
         HazardDoubt::DesignAccelerations,
         HazardDoubt::SlopeOfPlace,
+        HazardDoubt::AssumedSite("site class C".to_owned()),
     ];
     all(&hazards);
     let (path, id) = (PathBuf::from("i.csv"), "a".to_owned());
@@ -156,7 +157,7 @@ fn every_doubt_in_words() {
     ];
     all(&exported);
     let mut told = curve_doubts(&curves);
-    told.extend(hazards.map(hazard_doubt));
+    told.extend(hazards.iter().map(hazard_doubt));
     told.extend(costs.iter().map(cost_doubt));
     told.extend(exported.iter().skip(2).map(exports::doubt));
     insta::assert_snapshot!(told.join("\n"));
