@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use freestand::G0_M_S2;
 use freestand::compliant::CompliantAccuracy;
@@ -407,9 +408,16 @@ fn space_is_the_same_on_any_number_of_threads_and_in_any_order() {
         resume: true,
         ..Job::default()
     };
-    let stops = |step: Step| match step.stage == Some(Stage::Objects) && step.done > 0 {
-        true => ControlFlow::Break(()),
-        false => ControlFlow::Continue(()),
+    // Once it is stopped, every further call says so.
+    let is_stopped = AtomicBool::new(false);
+    let stops = |step: Step| {
+        if step.stage == Some(Stage::Objects) && step.share() > 0.3 {
+            is_stopped.store(true, Ordering::Relaxed);
+        }
+        match is_stopped.load(Ordering::Relaxed) {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        }
     };
     let stopped = assess(folder.path(), (BOTH, THREE), &rows.concat(), &job, &stops);
     assert!(stopped.interrupted && stopped.unsettled > 0);
