@@ -16,6 +16,8 @@ const SOURCE: &str = "xtask/site";
 /// Where mdBook is installed: it is needed for this alone.
 const TOOLS: &str = "target/tools";
 const MDBOOK: &str = "0.5.4";
+/// The first page: mdBook copies it to the root, and its links would lead elsewhere from there.
+const START: &str = "docs/start.md";
 /// A file that a page shows or offers, at most \[bytes\].
 const LARGEST: u64 = 4_000_000;
 
@@ -43,7 +45,7 @@ pub fn site(root: &Path, out: &Path) -> Result<(), String> {
     };
     let commands = pages.commands()?;
     let summary = read(&root.join(SOURCE).join("SUMMARY.md"))?.replace("{commands}\n", &commands);
-    pages.write("SUMMARY.md", &summary)?;
+    pages.write("SUMMARY.md", &as_page(&summary))?;
     pages.write(
         "reference/python.md",
         "# Python API\n\n[Every function and class, with its parameters, results and examples](../python/freestand.html).\n",
@@ -120,7 +122,7 @@ struct Pages {
 
 impl Pages {
     fn write(&self, page: &str, text: &str) -> Result<(), String> {
-        let to = self.to.join(page);
+        let to = self.to.join(as_page(page));
         if let Some(folder) = to.parent() {
             fs::create_dir_all(folder).map_err(told(folder))?;
         }
@@ -142,11 +144,11 @@ impl Pages {
             let readme = from_root.join("README.md");
             let readme_text = readme.to_string_lossy().replace('\\', "/");
             let new = if source.is_dir() && pages.contains(&readme_text.as_str()) {
-                format!("{}/README.md", path.trim_end_matches('/'))
+                as_page(&format!("{}/README.md", path.trim_end_matches('/')))
             } else if source.is_dir() && self.root.join(&readme).exists() {
                 // Only some documents are pages; the others are read as they are.
                 self.file(&readme)?;
-                format!("{}/README.md.txt", path.trim_end_matches('/'))
+                format!("{}/README.txt", path.trim_end_matches('/'))
             } else if source.is_dir() {
                 text = text.replace(
                     &format!("]({target})"),
@@ -155,17 +157,23 @@ impl Pages {
                 continue;
             } else if path.ends_with(".md") && pages.contains(&from_root.to_string_lossy().as_ref())
             {
-                continue;
+                as_page(path)
             } else {
                 self.file(&from_root)
                     .map_err(|problem| format!("{page}: {problem}"))?;
                 match path.ends_with(".md") {
-                    true => format!("{path}.txt"),
+                    true => format!("{}.txt", path.trim_end_matches(".md")),
                     false => continue,
                 }
             };
             let hash = if anchor.is_empty() { "" } else { "#" };
             text = text.replace(&format!("]({target})"), &format!("]({new}{hash}{anchor})"));
+        }
+        if page == START {
+            let targets: BTreeSet<String> = links(&text).map(str::to_owned).collect();
+            for target in targets.iter().filter(|target| !target.contains(':')) {
+                text = text.replace(&format!("]({target})"), &format!("](docs/{target})"));
+            }
         }
         self.write(page, &text)
     }
@@ -177,12 +185,10 @@ impl Pages {
         if size > LARGEST {
             return Err(format!("{} is too large for the site", from_root.display()));
         }
-        let is_document = from_root.extension().is_some_and(|ending| ending == "md");
-        let mut to = self.to.join(from_root).into_os_string();
-        if is_document {
-            to.push(".txt");
+        let mut to = self.to.join(from_root);
+        if from_root.extension().is_some_and(|ending| ending == "md") {
+            to.set_extension("txt");
         }
-        let to = PathBuf::from(to);
         if let Some(folder) = to.parent() {
             fs::create_dir_all(folder).map_err(told(folder))?;
         }
@@ -210,18 +216,15 @@ impl Pages {
             .join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
         let mut summary = String::new();
         for name in names {
-            let one = [name.as_str()];
-            let two: Vec<&str> = name.splitn(2, '-').collect();
-            let help = help(&program, &one).or_else(|_| help(&program, &two))?;
-            let words = if help.1 == 1 {
-                name.clone()
-            } else {
-                name.replacen('-', " ", 1)
-            };
-            let mut page = format!(
-                "# freestand {words}\n\n```text\n{}\n```\n",
-                help.0.trim_end()
-            );
+            // The name of a schema does not say where its first word ends, and that of a spectrum of a code leaves it out.
+            let ways = [
+                vec![name.as_str()],
+                name.splitn(2, '-').collect(),
+                vec!["motion", name.as_str()],
+            ];
+            let found = ways.iter().find_map(|words| help(&program, words).ok());
+            let (help, words) = found.ok_or_else(|| format!("{name}: no such command"))?;
+            let mut page = format!("# freestand {words}\n\n```text\n{}\n```\n", help.trim_end());
             for (kind, title, lead) in [
                 (
                     "request",
@@ -275,11 +278,18 @@ impl Pages {
     }
 }
 
-/// The help of a command, and of how many words its name is.
-fn help(program: &Path, words: &[&str]) -> Result<(String, usize), String> {
+/// A path, or a text with paths, whose README is called otherwise: mdBook gives a README the name index.html, but links to
+/// it another one.
+fn as_page(text: &str) -> String {
+    text.replace("README.md", "overview.md")
+        .replace(START, "start.md")
+}
+
+/// The help of a command, and its name.
+fn help(program: &Path, words: &[&str]) -> Result<(String, String), String> {
     let output = Command::new(program).args(words).arg("--help").output();
     let text = ended(&words.join(" "), output)?;
-    Ok((String::from_utf8_lossy(&text).into_owned(), words.len()))
+    Ok((String::from_utf8_lossy(&text).into_owned(), words.join(" ")))
 }
 
 /// Names, types and meanings of the values of a schema.
