@@ -17,7 +17,7 @@ fn written(folder: &Path) {
         "{HEAD}shelf,shelf,0,2 m,0.3 m,100 kg,high,500,0 mm\ndesk,desk,0,0.8 m,1.4 m,60 kg,,,\n"
     );
     std::fs::write(folder.join("lists/a.csv"), a).unwrap();
-    let b = "id,item,level_ratio,height,thickness,mass,wall_gap,owner\nshelf,shelf,0,2 m,0.3 m,100 kg,0 mm,Ann\n";
+    let b = "id,item,level_ratio,height,thickness,mass,wall_gap,owner\nshelf,shelf,0,2 m,0.12 m,100 kg,300 mm,Ann\n";
     std::fs::write(folder.join("lists/b.csv"), b).unwrap();
     std::fs::write(folder.join("sites.toml"), FILE).unwrap();
 }
