@@ -3,11 +3,13 @@
 //! schema of its document.
 
 use freestand_input::file::InputFile;
+use freestand_input::problem::Problem;
 use serde::{Serialize, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use crate::answer;
 use crate::facts::{Facts, Value};
+use crate::table::{Holds, Table};
 
 /// A result that [`answer!`](crate::answer!) defined.
 pub trait Answer {
@@ -430,6 +432,23 @@ macro_rules! answer_of {
     ($told:ty as $me:ident . $part:tt { $($values:tt)* }) => {
         $crate::answer_of!(@tell $told, $me, ($me.$part), { $($values)* });
     };
+}
+
+/// The rows of a table, whose headings are there without a row as well.
+///
+/// # Errors
+/// None in practice: a defect of the writer of CSV.
+pub fn table_of<'a, A: Answer + 'a>(
+    rows: impl IntoIterator<Item = &'a A>,
+) -> Result<Table, Problem> {
+    let table = crate::facts::table(rows.into_iter().map(A::facts))?;
+    if !table.as_ref().is_empty() {
+        return Ok(table);
+    }
+    let names: Vec<String> = A::properties().keys().cloned().collect();
+    let head = format!("{}\n", names.join(",")).into_bytes();
+    let columns = names.into_iter().map(|name| (name, Holds::default()));
+    Ok(Table::new(head, columns.collect()))
 }
 
 /// Values of one kind by names that are not known before.

@@ -254,14 +254,7 @@ fn written(
     } = run;
     let settings = &study.assessment;
     let budget = beside.spending.map(Spending::budget);
-    let plan = planned(
-        beside.spending,
-        study,
-        inventory,
-        motions,
-        &mut portfolio,
-        progress,
-    )?;
+    let plan = planned(beside.spending, study, motions, &mut portfolio, progress)?;
     // Where a run was stopped, objects that it did not reach would seem to be gone.
     let earlier = beside.earlier.filter(|_| !portfolio.interrupted);
     let inputs = inputs(study, inventory);
@@ -315,7 +308,6 @@ fn written(
 fn planned(
     spending: Option<Spending>,
     study: &Study,
-    inventory: &Inventory,
     motions: Option<&Path>,
     portfolio: &mut Portfolio,
     progress: Progress,
@@ -328,10 +320,7 @@ fn planned(
         None => shake(study, motions, progress)?,
     };
     let rows = portfolio.rows();
-    let priced = match spending
-        .budget()
-        .priced(study, inventory, worlds, rows, progress)
-    {
+    let priced = match spending.budget().priced(study, worlds, rows, progress) {
         Err(error) if error.is_stopped() => {
             portfolio.interrupted = true;
             return Ok(None);

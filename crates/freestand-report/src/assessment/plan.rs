@@ -5,8 +5,7 @@ use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_inventory::Rating;
 use freestand_inventory::library::{ASSUMED_BETA, Confidence};
-use freestand_output::answer::Answer as _;
-use freestand_output::facts;
+use freestand_output::answer::table_of;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{Cell, figure, heading, list, paragraph, table, words};
 use freestand_risk::budget::{BudgetPlan, NotPlanned, PlanRow, Planned, Standing};
@@ -28,18 +27,8 @@ const MOST_ROWS: usize = 300;
 /// # Errors
 /// A full disk.
 pub fn write_plan(folder: &OutputFolder, plan: &BudgetPlan) -> Result<(), Problem> {
-    let planned = facts::table(plan.planned().map(PlanRow::facts))?;
-    let all = facts::table(plan.rows.iter().map(PlanRow::facts))?;
-    for (name, table) in [(PLAN_NAME, planned), (ALTERNATIVES_NAME, all)] {
-        let bytes: &[u8] = table.as_ref();
-        if bytes.is_empty() {
-            let empty: Vec<String> = PlanRow::properties().keys().cloned().collect();
-            folder.write(name, format!("{}\n", empty.join(",")).as_bytes())?;
-        } else {
-            folder.write(name, bytes)?;
-        }
-    }
-    Ok(())
+    folder.write(PLAN_NAME, table_of(plan.planned())?.as_ref())?;
+    folder.write(ALTERNATIVES_NAME, table_of(&plan.rows)?.as_ref())
 }
 
 /// An amount of money in whole units, with a narrow space between its thousands.

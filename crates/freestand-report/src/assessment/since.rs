@@ -10,8 +10,7 @@ use freestand_assess::result::Decision;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::{counted, percent_significant};
 use freestand_output::answer;
-use freestand_output::answer::Answer as _;
-use freestand_output::facts;
+use freestand_output::answer::table_of;
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::html::{Cell, list, paragraph, table, words};
 use freestand_output::paths::io_problem;
@@ -289,13 +288,7 @@ fn objects(path: &Path) -> Result<BTreeMap<String, VecDeque<Was>>, Problem> {
 /// # Errors
 /// A full disk.
 pub(super) fn write(folder: &OutputFolder, since: &Since) -> Result<(), Problem> {
-    let rows = facts::table(since.changes.iter().map(|change| change.facts()))?;
-    let bytes: &[u8] = rows.as_ref();
-    if bytes.is_empty() {
-        let names: Vec<String> = Change::properties().keys().cloned().collect();
-        return folder.write(CHANGES_NAME, format!("{}\n", names.join(",")).as_bytes());
-    }
-    folder.write(CHANGES_NAME, bytes)
+    folder.write(CHANGES_NAME, table_of(&since.changes)?.as_ref())
 }
 
 /// The counts, and what the comparison depends on.

@@ -6,10 +6,9 @@ use freestand_assess::result::Decision;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::words::counted;
 use freestand_output::answer;
-use freestand_output::answer::{Answer as _, ByName};
+use freestand_output::answer::{ByName, table_of};
 use freestand_output::facts;
 use freestand_output::folder::OutputFolder;
-use freestand_output::table::Table;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 
 use super::csv::CSV_NAME;
@@ -122,26 +121,12 @@ pub fn write_sites(folder: &OutputFolder, report: &SitesReport) -> Result<(), Pr
             facts.key(decision.name(), count)
         })
     });
-    write(folder, SITES_NAME, &facts::table(rows)?)?;
+    folder.write(SITES_NAME, facts::table(rows)?.as_ref())?;
     if let (Some(plan), Some(all)) = (&report.plan, &report.plan_alternatives) {
-        for (name, rows) in [(PLAN_NAME, plan), (ALTERNATIVES_NAME, all)] {
-            if rows.is_empty() {
-                let empty: Vec<String> = SitePlanRow::properties().keys().cloned().collect();
-                folder.write(name, format!("{}\n", empty.join(",")).as_bytes())?;
-            } else {
-                write(
-                    folder,
-                    name,
-                    &facts::table(rows.iter().map(SitePlanRow::facts))?,
-                )?;
-            }
-        }
+        folder.write(PLAN_NAME, table_of(plan)?.as_ref())?;
+        folder.write(ALTERNATIVES_NAME, table_of(all)?.as_ref())?;
     }
     Ok(())
-}
-
-fn write(folder: &OutputFolder, name: &str, table: &Table) -> Result<(), Problem> {
-    folder.write(name, table.as_ref())
 }
 
 /// Writes `objects.csv` of all sites: that of each site, with its name before it. Columns that only some lists have

@@ -20,7 +20,7 @@ use freestand_input::quantity::shorten;
 use freestand_inventory::library::{
     Confidence, Hold, HoldsWhat, RestraintEntry, RestraintKind, RestraintLibrary,
 };
-use freestand_inventory::{Casters, CellsRequest, Inventory, Item, Rating, currency_code};
+use freestand_inventory::{Casters, CellsRequest, Item, Rating, currency_code};
 use freestand_output::answer_of;
 use freestand_study::run::Progress;
 use freestand_study::study::Study;
@@ -451,7 +451,6 @@ impl Budget {
     pub fn priced<'a>(
         &self,
         study: &Study,
-        inventory: &'a Inventory,
         worlds: Worlds,
         rows: impl Iterator<Item = Result<Row<'a>, Problem>>,
         progress: Progress,
@@ -460,7 +459,6 @@ impl Budget {
         for row in rows {
             candidates.extend(self.candidate(row?));
         }
-        debug_assert!(candidates.len() <= inventory.items.len());
         let (hazard, extends) = rates::rates_of(study).unzip();
         let extends = extends.unwrap_or(false);
         let measures = |entries: &[&RestraintEntry]| {

@@ -18,32 +18,6 @@ pub(super) fn format_of(head: &Head) -> Option<HazardFormat> {
     }
 }
 
-/// The site of a grid that is meant, with its row.
-fn on_grid<'t>(
-    table: &'t Table,
-    format: HazardFormat,
-    wanted: &Wanted,
-) -> Result<(SiteHazard, &'t Row), Problem> {
-    let columns = table.place_columns()?;
-    let sites = table.rows.iter().map(|row| {
-        Ok(Site {
-            line: Some(row.line),
-            name: None,
-            at: Some(table.at(row, columns)?),
-        })
-    });
-    let sites: Vec<Site> = sites.collect::<Result<_, Problem>>()?;
-    let (index, distance_km) =
-        chosen(&sites, wanted).map_err(|problem| problem.at_line(table.head.line))?;
-    let site = SiteHazard {
-        sites: sites.len(),
-        at: sites[index].at,
-        distance_km,
-        ..SiteHazard::of(format)
-    };
-    Ok((site, &table.rows[index]))
-}
-
 /// The number of a row in a column that must be there.
 fn value(table: &Table, row: &Row, name: &str) -> Result<Value, Problem> {
     let column = table.head.column(name).ok_or_else(|| {
@@ -84,7 +58,7 @@ const AFAD_LEVELS: [(&str, f64); 4] = [
 /// `LON,LAT,PGA-DD1,…,Ss-DD1,…,S1-DD1,…,PGV-DD4,…,PGV-DD1`, accelerations in g, PGV in cm/s; the columns of PGV are in
 /// reverse order, so all are found by name.
 pub(super) fn afad(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Problem> {
-    let (mut out, row) = on_grid(table, HazardFormat::Afad, wanted)?;
+    let (mut out, row) = table.site(HazardFormat::Afad, table.place_columns()?, None, wanted)?;
     // Ss is the value at 0.2 s, S1 that at 1 s.
     let sa = |period_s| GroundMeasure::Sa { period_s };
     let measures = [
@@ -116,7 +90,7 @@ const NTC_YEARS: [u32; 9] = [30, 50, 72, 101, 140, 201, 475, 975, 2475];
 
 /// `ID,LON,LAT,T30ag,T30F0,T30Tc,…`: ag in g/10 on rock, at nodes on ED50, which is some 130 m from WGS 84.
 pub(super) fn ntc(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Problem> {
-    let (mut out, row) = on_grid(table, HazardFormat::Ntc, wanted)?;
+    let (mut out, row) = table.site(HazardFormat::Ntc, table.place_columns()?, None, wanted)?;
     let levels = NTC_YEARS.map(|years| {
         value(table, row, &format!("T{years}ag")).map(|value| (f64::from(years), value))
     });

@@ -4,7 +4,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::numbers::{Exceedance, Value, curve, measure, return_period, spectrum, years};
-use super::sites::{Site, Wanted, chosen};
+use super::sites::Wanted;
 use super::table::{Head, Row, Table};
 use super::{GroundMeasure, HazardFormat, SiteHazard};
 
@@ -74,19 +74,9 @@ pub(super) fn read(
         out.spectra = by_measure(table, years)?;
         return Ok(out);
     }
-    let columns = table.place_columns()?;
-    let sites = table.rows.iter().map(|row| {
-        Ok(Site {
-            line: Some(row.line),
-            name: None,
-            at: Some(table.at(row, columns)?),
-        })
-    });
-    let sites: Vec<Site> = sites.collect::<Result<_, Problem>>()?;
-    let (index, distance_km) =
-        chosen(&sites, wanted).map_err(|problem| problem.at_line(head.line))?;
-    let row = &table.rows[index];
-    (out.sites, out.at, out.distance_km) = (sites.len(), sites[index].at, distance_km);
+    let statistic = out.statistic;
+    let (mut out, row) = table.site(format, table.place_columns()?, None, wanted)?;
+    out.statistic = statistic;
     match format {
         HazardFormat::OpenquakeCurves => out.curves.push(hazard_curve(table, row, years)?),
         _ => out.spectra = by_probability(table, row, years, format)?,

@@ -4,7 +4,8 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::numbers::Value;
-use super::{Coordinates, numbers};
+use super::sites::{Site, Wanted, chosen};
+use super::{Coordinates, HazardFormat, SiteHazard, numbers};
 use crate::text::lines::{lines, text_of};
 use crate::text::table::quoted_cells;
 
@@ -88,7 +89,12 @@ impl Table {
             .filter(|line| !line.is_blank() && !line.is_comment());
         for line in below {
             let cells = quoted_cells(&text_of(line.bytes), head.separator);
-            if cells.len() != head.headings.len() || rows.len() == MAX_ROWS {
+            if rows.len() == MAX_ROWS {
+                let message = format!("there are more than {MAX_ROWS} rows");
+                let hint = "keep the rows around the site alone";
+                return Err(Problem::format(message, hint).at_line(line.number));
+            }
+            if cells.len() != head.headings.len() {
                 let message = format!(
                     "this row has {} cells, and the header has {}",
                     cells.len(),
@@ -152,5 +158,34 @@ impl Table {
             })
         };
         Ok([column("lon")?, column("lat")?])
+    }
+
+    /// The site that is meant, with its row: by the columns of its longitude and its latitude, and of its name.
+    pub(super) fn site(
+        &self,
+        format: HazardFormat,
+        columns: [usize; 2],
+        name: Option<usize>,
+        wanted: &Wanted,
+    ) -> Result<(SiteHazard, &Row), Problem> {
+        let sites = self.rows.iter().map(|row| {
+            let name = name.map(|column| self.text(row, column).to_owned());
+            Ok(Site {
+                line: Some(row.line),
+                name: name.filter(|name| !name.is_empty()),
+                at: Some(self.at(row, columns)?),
+            })
+        });
+        let sites: Vec<Site> = sites.collect::<Result<_, Problem>>()?;
+        let (index, distance_km) =
+            chosen(&sites, wanted).map_err(|problem| problem.at_line(self.head.line))?;
+        let site = SiteHazard {
+            sites: sites.len(),
+            name: sites[index].name.clone(),
+            at: sites[index].at,
+            distance_km,
+            ..SiteHazard::of(format)
+        };
+        Ok((site, &self.rows[index]))
     }
 }

@@ -55,17 +55,7 @@ pub(super) fn curves_table(
         let hint = "keep the folder of nshmp-haz, such as PGA/curves.csv, or name the file PGA.csv or SA0P2.csv";
         return Err(table.head.problem(message, hint));
     };
-    let sites = table.rows.iter().map(|row| {
-        Ok(Site {
-            line: Some(row.line),
-            name: Some(table.text(row, 0).to_owned()).filter(|name| !name.is_empty()),
-            at: Some(table.at(row, [1, 2])?),
-        })
-    });
-    let sites: Vec<Site> = sites.collect::<Result<_, Problem>>()?;
-    let (index, distance_km) =
-        chosen(&sites, wanted).map_err(|problem| problem.at_line(table.head.line))?;
-    let row = &table.rows[index];
+    let (mut out, row) = table.site(HazardFormat::UsgsCurves, [1, 2], Some(0), wanted)?;
     let mut points = Vec::new();
     for column in 3..table.head.headings.len() {
         let name = &table.head.headings[column];
@@ -78,15 +68,8 @@ pub(super) fn curves_table(
     }
     let curve =
         curve(measure, points, Exceedance::Rates).map_err(|problem| problem.at_line(row.line))?;
-    let site = &sites[index];
-    Ok(SiteHazard {
-        sites: sites.len(),
-        name: site.name.clone(),
-        at: site.at,
-        distance_km,
-        curves: vec![curve],
-        ..SiteHazard::of(HazardFormat::UsgsCurves)
-    })
+    out.curves.push(curve);
+    Ok(out)
 }
 
 /// nshmp-haz writes PGV in cm/s.
