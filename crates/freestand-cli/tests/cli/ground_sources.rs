@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::program::execute;
+use crate::program::{document, execute, folder, refused};
 
 const OBJECTS: &str = "[objects]\nheights = \"1 m, 2 m\"\nthicknesses = \"300 mm, 500 mm\"\n";
 
@@ -257,4 +257,31 @@ fn a_suite_that_cannot_be_used_is_refused_before_anything_is_written() {
         }
         assert!(!folder.path().join("out").exists(), "{study}");
     }
+}
+
+/// A file of design values says for which site class it was asked: that counts, unless another one is given. It has no
+/// return period to choose.
+#[test]
+fn design_values_have_the_site_class_of_their_file() {
+    let text = r#"{"request":{"parameters":{"latitude":34,"longitude":-118,"siteClass":"D-default"}},"response":{"data":{"ss":1.9,"s1":0.7}}}"#;
+    let other = text.replace("D-default", "C");
+    let here = folder(&[("d.json", text), ("c.json", &other)]);
+    let object = ["object", "--height", "2 m", "--thickness", "0.5 m"];
+    let earthquake = |more: &[&str]| {
+        let told = document(here.path(), &[&object[..], more].concat());
+        told["earthquake"].as_str().unwrap().to_owned()
+    };
+    let of_c = earthquake(&["--spectrum", "c.json"]);
+    assert!(of_c.contains("site C"), "{of_c}");
+    assert!(earthquake(&["--spectrum", "d.json"]).contains("site D"));
+    assert_eq!(
+        earthquake(&["--spectrum", "d.json", "--site", "C"]),
+        of_c.replace("c.json", "d.json")
+    );
+    let years = [
+        &object[..],
+        &["--spectrum", "c.json", "--return-period", "475"],
+    ]
+    .concat();
+    refused(here.path(), &years);
 }

@@ -271,6 +271,9 @@ fn flags_that_do_not_go_together_are_refused() {
     );
     let budget = [&base[..], &["--hazard", &hazard, "--budget", "100 AUD"]].concat();
     assert!(refused(folder.path(), &budget).contains("a budget needs options"));
+    // A place that chooses nothing is not ignored.
+    let place = [&base[..], &["--hazard", &hazard, "--place", "Rome"]].concat();
+    assert!(refused(folder.path(), &place).contains("no sites, so that --place chooses nothing"));
 }
 
 /// Shocks of 10 g per m/s, spread evenly in the logarithm, below a ceiling of 22 g.

@@ -222,7 +222,15 @@ pub(crate) fn hazard_of(
                 ..site.clone()
             };
             let measure = measure.or(of_curves.map(|one| one.0));
-            from_file(&load_hazard(path)?, path, place, wanted, measure)
+            let bytes = load_hazard(path)?;
+            if (site.at.is_some() || site.name.is_some()) && recognised(&bytes).is_none() {
+                let message =
+                    "the file has one hazard curve and no sites, so that `place` chooses nothing";
+                let hint = "leave `place` out, or give a file that has sites";
+                let problem = Problem::value(message, hint).in_file(path);
+                return Err(problem.of(&["place"]).into());
+            }
+            from_file(&bytes, path, place, wanted, measure)
         }
         HazardSource::Place {
             name,

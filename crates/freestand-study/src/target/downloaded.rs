@@ -86,9 +86,19 @@ fn read(words: &Words, path: &Path, bytes: &[u8], remedies: Remedies) -> Result<
                 for key in ["spectrum", "interpolation", "beyond"] {
                     left.remove(key);
                 }
-                // A level of TBDY 2018 has a return period; values of the other codes are at one alone.
-                if code != Code::Tbdy2018 {
+                // A level of TBDY 2018 has a return period, and ASCE 7 refuses one; a map of the other codes was chosen
+                // by it.
+                if !matches!(code, Code::Tbdy2018 | Code::Asce7) {
                     left.remove("return_period_years");
+                }
+                // The file was asked for a site class: without another one, that counts.
+                if let Some(CodeValues::Asce7 {
+                    site_class: Some(class),
+                    ..
+                }) = &site.code
+                    && left.get("site").is_none()
+                {
+                    left.set("site", class.clone());
                 }
                 of_values(&mut reader, &left, code, &place, remedies)
             }
@@ -119,7 +129,7 @@ fn ground(site: &SiteHazard, years: Option<f64>) -> Result<FoundGround, Problem>
         Err(Problem::value(message, hint).of(&["spectrum"]))
     };
     match &site.code {
-        Some(CodeValues::Asce7 { ss_g, s1_g }) => {
+        Some(CodeValues::Asce7 { ss_g, s1_g, .. }) => {
             let (ss_g, s1_g) = (*ss_g, *s1_g);
             return Ok(FoundGround::Values(
                 Code::Asce7,

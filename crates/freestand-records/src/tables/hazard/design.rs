@@ -62,10 +62,18 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
             out.code = Some(CodeValues::Asce7 {
                 ss_g: positive("ss")?,
                 s1_g: positive("s1")?,
+                site_class: site_class(&document),
             });
         }
     }
     Ok(out)
+}
+
+/// `D-default` and `B-estimated` are D and B.
+fn site_class(document: &Json) -> Option<String> {
+    let class = request(document).get("siteClass")?.as_str()?;
+    let letter = class.split(['-', ' ']).next()?;
+    (!letter.is_empty()).then(|| letter.to_owned())
 }
 
 fn multi_period(of: &Json) -> Result<ReturnSpectrum, Problem> {

@@ -154,6 +154,8 @@ pub enum CodeValues {
         ss_g: f64,
         /// S1 \[g\].
         s1_g: f64,
+        /// The site class for which the file was asked, without what it adds of a default or an estimate.
+        site_class: Option<String>,
     },
     /// TBDY 2018, Vs30 760 m/s, by level: DD-2 (475 years), DD-1 (2475 years).
     Tbdy2018 {

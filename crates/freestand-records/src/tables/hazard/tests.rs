@@ -432,13 +432,14 @@ fn curves_of_the_services_of_usgs() {
 fn design_values_of_usgs() {
     let seven_16 = r#"{"request":{"parameters":{"latitude":34,"longitude":-118,"siteClass":"C"}},"response":{"data":{"pga":0.8,"ss":1.9,"s1":0.7,"sds":1.52}}}"#;
     let old = r#"{"data":{"data":{"ss":1.9,"s1":0.7}}}"#;
-    for text in [seven_16, old] {
+    for (text, site_class) in [(seven_16, Some("C".to_owned())), (old, None)] {
         let site = anywhere(text).unwrap();
         assert_eq!(
             site.code,
             Some(CodeValues::Asce7 {
                 ss_g: 1.9,
-                s1_g: 0.7
+                s1_g: 0.7,
+                site_class,
             })
         );
     }
