@@ -285,3 +285,27 @@ fn design_values_have_the_site_class_of_their_file() {
     .concat();
     refused(here.path(), &years);
 }
+
+/// Of a file with several sites, the answer says which one was used, how far away it is, and the return period.
+#[test]
+fn the_site_of_a_spectrum_is_told() {
+    let text = "#,,,\"kind='mean', investigation_time=50.0\"\nlon,lat,0.1~PGA,0.1~SA(0.2),0.1~SA(1.0)\n\
+                12.5,41.9,0.12,0.28,0.1\n13.0,42.3,0.26,0.6,0.2\n";
+    let here = folder(&[("uhs.csv", text)]);
+    let object = [
+        "object",
+        "--height",
+        "2 m",
+        "--thickness",
+        "0.4 m",
+        "--spectrum",
+        "uhs.csv",
+    ];
+    let at = ["--place", "41.95, 12.40", "--return-period", "475"];
+    let told = document(here.path(), &[&object[..], &at].concat());
+    let warnings = told["warnings"].to_string();
+    // 0.05° of latitude and 0.1° of longitude: √(5.56² + 8.29²) km.
+    let said =
+        "the spectrum at 475 years is that of the site of uhs.csv at 41.9, 12.5, 9.98 km away";
+    assert!(warnings.contains(said), "{warnings}");
+}

@@ -276,6 +276,16 @@ fn of_spectrum(
             number(last_s, 4)
         ));
     }
+    if let (Some(at), Some(km)) = (site.at, site.distance_km) {
+        let years = spectrum.years.map_or_else(String::new, |years| {
+            format!(" at {} years", number(years, 4))
+        });
+        target.warnings.push(format!(
+            "the spectrum{years} is that of the site of {name} at {}, {} km away",
+            at.words(),
+            number(km, 2)
+        ));
+    }
     target.facts.extend(facts(site, spectrum.years));
     Some(target)
 }
