@@ -304,8 +304,8 @@ fn the_site_of_a_spectrum_is_told() {
     let at = ["--place", "41.95, 12.40", "--return-period", "475"];
     let told = document(here.path(), &[&object[..], &at].concat());
     let warnings = told["warnings"].to_string();
-    // 0.05° of latitude and 0.1° of longitude: √(5.56² + 8.29²) km.
+    // 10 % in 50 years: 50/−ln 0.9. 0.05° of latitude and 0.1° of longitude: √(5.56² + 8.29²) = 9.98 km.
     let said =
-        "the spectrum at 475 years is that of the site of uhs.csv at 41.9, 12.5, 9.98 km away";
+        "the spectrum at 474.6 years is that of the site of uhs.csv at 41.9, 12.5, 10 km away";
     assert!(warnings.contains(said), "{warnings}");
 }
