@@ -548,7 +548,8 @@ def assess(
         fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, sheet=sheet, edit=edits,
         storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
         format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
-        resume=flag("resume", resume), allow_recalled=flag("allow_recalled", allow_recalled), budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
+        resume=flag("resume", resume), allow_recalled=flag("allow_recalled", allow_recalled),
+        budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
     )  # fmt: skip
     files = study_file(study) | {
         "spectrum": (spectrum, None), "columns": (columns, None), "library": (library, None),
