@@ -18,6 +18,7 @@ use crate::study::{RecordedMotion, SecondComponent};
 use crate::unsolved::rocking_problem;
 use freestand_input::file::load;
 use freestand_input::file::{InputFile, sha256_hex};
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
@@ -498,22 +499,7 @@ pub fn name_of(path: &Path) -> String {
     let stem = path
         .file_stem()
         .map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
-    let name: String = stem
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') {
-                c
-            } else {
-                '-'
-            }
-        })
-        .collect();
-    let name = name.trim_matches(['.', '-']).to_owned();
-    if name.is_empty() {
-        "motion".to_owned()
-    } else {
-        name
-    }
+    file_names::made_of(&stem, "-_.", '-').unwrap_or_else(|| "motion".to_owned())
 }
 
 /// The name, or the name with the first free number from 2. Names that differ only in capitals are
@@ -521,7 +507,7 @@ pub fn name_of(path: &Path) -> String {
 pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
     let mut candidate = name.to_owned();
     let mut number = 2;
-    while !taken.insert(candidate.to_lowercase()) {
+    while !taken.insert(file_names::same_file(&candidate)) {
         candidate = format!("{name}-{number}");
         number += 1;
     }
@@ -531,6 +517,18 @@ pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_motion_has_a_name_that_a_file_can_have() {
+        for (path, name) in [
+            ("x/quake one.csv", "quake-one"),
+            ("x/CON.AT2", "CON-"),
+            ("x/...", "motion"),
+            ("x/RSN6_A:B.AT2", "RSN6_A-B"),
+        ] {
+            assert_eq!(name_of(Path::new(path)), name, "{path}");
+        }
+    }
 
     /// A floor is shaken sideways; only who says so reads a vertical component alone.
     #[test]
