@@ -1,6 +1,8 @@
 //! Names of files and folders that every system can have: Linux, macOS and Windows, also where a disk of
 //! one is read by another.
 
+use std::collections::HashSet;
+
 use unicode_normalization::UnicodeNormalization;
 
 /// The longest name \[bytes\]. Most file systems have 255; the rest is for what is added to a name: an
@@ -66,6 +68,47 @@ pub fn made_of(text: &str, also: &str, instead: char) -> Option<String> {
     } else {
         short.to_owned()
     })
+}
+
+/// The most letters of [`of_words`].
+const MOST_LETTERS: usize = 60;
+
+/// A name made of the words of a text: its letters and digits, with a hyphen in place of everything else;
+/// `unnamed` where nothing is left.
+///
+/// # Example
+/// ```
+/// use freestand_input::file_names::of_words;
+/// assert_eq!(of_words("Level 3, ICU"), "Level-3-ICU");
+/// assert_eq!(of_words("../x"), "x");
+/// assert_eq!(of_words("CON"), "CON-");
+/// assert_eq!(of_words("//"), "unnamed");
+/// ```
+pub fn of_words(text: &str) -> String {
+    let words = text.split(|letter: char| !letter.is_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let name: String = words.join("-").chars().take(MOST_LETTERS).collect();
+    made_of(&name, "-", '-').unwrap_or_else(|| "unnamed".to_owned())
+}
+
+/// The name, or the name with the first free number from 2. Names that mean one file on some system are
+/// equal.
+///
+/// # Example
+/// ```
+/// use freestand_input::file_names::unique;
+/// let mut taken = std::collections::HashSet::new();
+/// let names = ["Roof", "roof", "floor"].map(|name| unique(name, &mut taken));
+/// assert_eq!(names, ["Roof", "roof-2", "floor"]);
+/// ```
+pub fn unique(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut candidate = name.to_owned();
+    let mut number = 2;
+    while !taken.insert(same_file(&candidate)) {
+        candidate = format!("{name}-{number}");
+        number += 1;
+    }
+    candidate
 }
 
 /// What two names have in common that mean one file on some system: there, capitals do not count, and

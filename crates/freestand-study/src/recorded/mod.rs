@@ -197,7 +197,7 @@ pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize
     for (index, path) in files.paths.iter().enumerate() {
         match read_one(index, path, files) {
             Ok(mut read) => {
-                read.motion.name = unique(&read.motion.name, &mut names);
+                read.motion.name = file_names::unique(&read.motion.name, &mut names);
                 motions.push(read);
             }
             Err(problems) => failures.extend(problems.into_iter().map(|problem| (index, problem))),
@@ -500,18 +500,6 @@ pub fn name_of(path: &Path) -> String {
         .file_stem()
         .map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
     file_names::made_of(&stem, "-_.", '-').unwrap_or_else(|| "motion".to_owned())
-}
-
-/// The name, or the name with the first free number from 2. Names that differ only in capitals are
-/// equal, as in some file systems.
-pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut candidate = name.to_owned();
-    let mut number = 2;
-    while !taken.insert(file_names::same_file(&candidate)) {
-        candidate = format!("{name}-{number}");
-        number += 1;
-    }
-    candidate
 }
 
 #[cfg(test)]
