@@ -5,12 +5,12 @@ use std::path::Path;
 
 use freestand::risk::Terms;
 use freestand_input::file::load;
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive, shorten};
 use freestand_input::words::nearest;
 use freestand_input::written::Written;
 use freestand_inventory::currency_code;
-use freestand_output::paths::is_device;
 use freestand_risk::amount;
 use freestand_risk::budget::Insured;
 use serde_json::{Map, Value};
@@ -158,8 +158,8 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Site
         let of_site = |problem: Problem| of_table(&format!("sites.{name}"), problem);
         let taken = sites
             .iter()
-            .any(|site| site.name.eq_ignore_ascii_case(name));
-        if let Some(why) = not_a_folder(name).or(taken.then_some("two sites have this name")) {
+            .any(|site| file_names::same_file(&site.name) == file_names::same_file(name));
+        if let Some(why) = file_names::unfit(name).or(taken.then_some("two sites have this name")) {
             let hint = "give it a name of letters, digits, spaces, hyphens and dots: it is that of its folder";
             problems.push(of_site(Problem::value(why, hint)));
             continue;
@@ -361,42 +361,9 @@ fn value(key: &str, item: &Item) -> Result<Value, Problem> {
     })
 }
 
-/// Why a folder cannot have this name on some system; `None`: it can.
-fn not_a_folder(name: &str) -> Option<&'static str> {
-    const MOST: usize = 100;
-    let is_fine = |letter: char| letter.is_alphanumeric() || " -_.".contains(letter);
-    if name.is_empty() || name.chars().count() > MOST || !name.chars().all(is_fine) {
-        Some("no folder can have this name everywhere")
-    } else if name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']) {
-        Some("it begins or ends with a dot or a space")
-    } else if is_device(name) {
-        Some("Windows keeps this name for a device")
-    } else {
-        None
-    }
-}
-
 fn wrong(path: &Path, message: impl Into<String>, hint: &str) -> Problem {
     Problem::new(ProblemKind::Format, message)
         .in_file(path)
         .hint(hint)
         .of(&["sites"])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::not_a_folder;
-
-    #[test]
-    fn a_site_has_a_name_that_a_folder_may_have() {
-        for name in ["Messina", "Bogotá 2", "a.b", "comet", "auxiliary", "仙台"] {
-            assert_eq!(not_a_folder(name), None, "{name}");
-        }
-        for name in [
-            "", "a/b", "..", "con", "NUL.txt", "COM1", "lpt9.x", "a ", ".a", "a:b", "a*",
-        ] {
-            assert!(not_a_folder(name).is_some(), "{name}");
-        }
-        assert!(not_a_folder(&"a".repeat(101)).is_some());
-    }
 }

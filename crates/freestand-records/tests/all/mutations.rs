@@ -18,7 +18,7 @@ mod damage;
 
 use check::check_record;
 use damage::{Chance, mutations, split_lines};
-use freestand_records::formats::{ReadOptions, parse_motions};
+use freestand_records::formats::{Component, ReadOptions, parse_motions};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
@@ -261,4 +261,52 @@ fn damage_all(step: usize) {
     }
     println!("{total} mutations in all");
     assert!(total > 5000 / step && families.len() == 18);
+}
+
+/// A record that went through Windows has other ends of lines, and the same samples.
+#[test]
+fn the_ends_of_lines_do_not_matter() {
+    let mut count = 0;
+    for (family, path, bytes) in seeds() {
+        let Ok(text) = String::from_utf8(bytes) else {
+            continue;
+        };
+        if text.contains('\0') {
+            continue;
+        }
+        let line_feeds = text.replace("\r\n", "\n");
+        let told = ReadOptions {
+            unit: Some("g".to_owned()),
+            dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let resampled = ReadOptions {
+            uneven_dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let read = |text: &str| {
+            [&ReadOptions::default(), &told, &resampled].map(|options| {
+                parse_motions(
+                    text.as_bytes().to_vec(),
+                    Path::new("/nowhere/record.dat"),
+                    options,
+                )
+                .map(|file| {
+                    let samples = |one: &Component| one.motion.accel_m_s2().to_vec();
+                    let components: Vec<Vec<f64>> = file.components.iter().map(samples).collect();
+                    (file.format, components)
+                })
+                .map_err(|problem| problem.to_string())
+            })
+        };
+        let windows = line_feeds.replace('\n', "\r\n");
+        assert_eq!(
+            read(&line_feeds),
+            read(&windows),
+            "{family}: {}",
+            path.display()
+        );
+        count += 1;
+    }
+    assert!(count > 25, "{count} seeds of text");
 }

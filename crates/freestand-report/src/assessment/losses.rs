@@ -97,6 +97,6 @@ fn dependence_words(losses: &SitesLosses) -> String {
         None => "correlated: not known, because the coordinates of a site are not".to_owned(),
     };
     format!(
-        "Earthquakes - independent: each is at one site; {correlated}; common: the sites are as one. The loss a year is the same.\n"
+        "Earthquakes - independent: each is at one site; {correlated}; common: the sites are as one. The loss a year is the same."
     )
 }

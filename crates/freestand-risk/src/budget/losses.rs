@@ -49,7 +49,9 @@ impl Budget {
         };
         let mut found = Losses {
             levels: Vec::new(),
-            downtime_days: None,
+            downtime_days: (self.costs.values())
+                .any(|cost| cost.downtime_days.is_some())
+                .then_some(0.0),
             is_at_least: false,
         };
         let Some((_, _, first)) = costing().next() else {
@@ -75,8 +77,8 @@ impl Budget {
         for (quantity, cost, one) in costing() {
             let (falls, is_at_least) = rate(&one.free, hazard)?;
             found.is_at_least |= is_at_least && cost.has_costs();
-            if let Some(days) = cost.downtime_days {
-                *found.downtime_days.get_or_insert(0.0) += quantity * falls * days;
+            if let (Some(sum), Some(days)) = (&mut found.downtime_days, cost.downtime_days) {
+                *sum += quantity * falls * days;
             }
         }
         Some(found)
