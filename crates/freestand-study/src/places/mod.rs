@@ -394,11 +394,13 @@ impl Place {
         }
     }
 
-    /// Its name for an answer: with its state and country unless it is one of the table by hand, which has no two of a name.
+    /// Its name for an answer: with its state and country unless it is one of the table by hand, which has no two of a name,
+    /// and no large city abroad has that name.
     pub fn told_name(&self) -> String {
         let mut by_hand = places().iter().take(rows::by_hand());
         if self.is_point()
             || by_hand.any(|place| place.source == self.source && place.name == self.name)
+                && !self.shares_its_name()
         {
             return self.name.to_string();
         }

@@ -67,7 +67,7 @@ fn read(row: &'static str) -> Option<Place> {
         country,
         size: match country {
             "Ecuador" if region.contains(',') => Size::Parish,
-            "Ecuador" | "Portugal" => Size::Municipality,
+            "Ecuador" | "Portugal" | "Spain" => Size::Municipality,
             _ => Size::City,
         },
         hazard,
