@@ -622,6 +622,7 @@ fn on_grid(point: Coordinates, km: f64) -> Place {
         coordinates: Some(point),
         distance_km: Some(km),
         fault_distance_km: None,
+        derived: None,
     }
 }
 

@@ -76,6 +76,7 @@ fn read(row: &'static str) -> Option<Place> {
         coordinates,
         distance_km: None,
         fault_distance_km,
+        derived: None,
     })
 }
 

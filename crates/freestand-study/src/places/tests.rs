@@ -317,7 +317,11 @@ fn municipalities_of_spain_as_printed() {
         else {
             panic!("{name}: {place:?}");
         };
-        assert_eq!([ground_acceleration_g, contribution_ratio], [a_b, k], "{name}");
+        assert_eq!(
+            [ground_acceleration_g, contribution_ratio],
+            [a_b, k],
+            "{name}"
+        );
         assert_eq!(place.country, "Spain", "{name}");
     }
     let of_spain = |place: &&Place| place.country == "Spain";
@@ -346,7 +350,11 @@ fn names_of_spain() {
         ("Torrent, Valencia, Spain", "Torrent"),
     ] {
         let place = found(written);
-        assert_eq!((place.name.as_ref(), place.country), (name, "Spain"), "{written}");
+        assert_eq!(
+            (place.name.as_ref(), place.country),
+            (name, "Spain"),
+            "{written}"
+        );
     }
     assert_eq!(
         Place::look_up("Torrent", None),
@@ -381,10 +389,21 @@ fn a_name_of_a_larger_city_abroad() {
         matches!(Place::look_up("Valencia, Venezuela", None), Err(NotFound::NoValues(city, _)) if city == "Valencia, Venezuela")
     );
     // Cordoba of Argentina is larger than that of Spain, and so is Cartagena of Colombia, which has values as well.
-    assert!(several("Córdoba").iter().any(|name| name.ends_with("Argentina")));
-    assert!(several("Cartagena").iter().any(|name| name.ends_with("Colombia")));
+    assert!(
+        several("Córdoba")
+            .iter()
+            .any(|name| name.ends_with("Argentina"))
+    );
+    assert!(
+        several("Cartagena")
+            .iter()
+            .any(|name| name.ends_with("Colombia"))
+    );
     // Barcelona and Granada of Spain are the largest of their names: they are meant, and named in full.
-    assert_eq!(found("Barcelona").told_name(), "Barcelona, Barcelona, Spain");
+    assert_eq!(
+        found("Barcelona").told_name(),
+        "Barcelona, Barcelona, Spain"
+    );
     assert_eq!(found("Granada").told_name(), "Granada, Granada, Spain");
     // A small town asks as well, and Macau is no city abroad: it is a territory of its own among the cities.
     assert!(several("Cambridge").len() == 4);
