@@ -2,8 +2,8 @@
 //! freestand-records.
 
 use freestand_records::formats::{ReadOptions, parse_motions};
-use freestand_records::tables::hazard::{Wanted, read_hazard};
 use freestand_records::notes::NoteKind;
+use freestand_records::tables::hazard::{Wanted, read_hazard};
 use std::path::Path;
 
 /// As freestand::motion has it.
@@ -45,11 +45,17 @@ pub fn check_hazard(bytes: &[u8]) -> bool {
     }
     for curve in site.hazard_curves().unwrap_or_default() {
         assert!(
-            curve.points.iter().all(|&(x, rate)| is_fine(x) && is_fine(rate)),
+            curve
+                .points
+                .iter()
+                .all(|&(x, rate)| is_fine(x) && is_fine(rate)),
             "{curve:?}"
         );
         assert!(
-            curve.points.windows(2).all(|two| two[0].0 < two[1].0 && two[0].1 > two[1].1),
+            curve
+                .points
+                .windows(2)
+                .all(|two| two[0].0 < two[1].0 && two[0].1 > two[1].1),
             "{curve:?}"
         );
     }

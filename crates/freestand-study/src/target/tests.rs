@@ -197,7 +197,7 @@ fn all_problems_are_told_at_once() {
         ]),
         [
             "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \
-             \"as1170.4\"` or `code = \"nzs1170.5\"` or `code = \"ntc2018\"` or `code = \"tbdy2018\"` or \
+             \"as1170.4\"` or `code = \"eurocode8\"` or `code = \"nzs1170.5\"` or `code = \"ntc2018\"` or `code = \"tbdy2018\"` or \
              `code = \"ts1170.5\"`",
             "ASCE 7 needs `long_period` | give `long_period = \"8 s\"`",
             "`sds` must be positive, not \"-1 g\" | give an acceleration above 0",
