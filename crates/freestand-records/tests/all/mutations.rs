@@ -16,7 +16,7 @@ mod check;
 #[allow(unreachable_pub, reason = "other crates use it")]
 mod damage;
 
-use check::check_record;
+use check::{check_hazard, check_record};
 use damage::{Chance, mutations, split_lines};
 use freestand_records::formats::{Component, ReadOptions, parse_motions};
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -88,6 +88,7 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
         let name = family.file_name().unwrap().to_str().unwrap().to_owned();
         // These are no records.
         let others = [
+            "hazard",
             "inventory_csv",
             "inventory_xlsx",
             "processing",
@@ -199,6 +200,27 @@ fn damaged_descriptions_are_refused_or_read_but_never_break() {
     );
     // Most of the file is not looked at, and some of it cannot be left out.
     assert!(count > mutations.len() / 10 && count < mutations.len());
+}
+
+/// Hazard files of every format, damaged as records are.
+#[test]
+fn damaged_hazard_files_are_refused_or_read_but_never_break() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/hazard");
+    let mut names: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    names.sort();
+    assert_eq!(names.len(), 11);
+    let mut chance = Chance(1);
+    for path in names {
+        let bytes = std::fs::read(&path).unwrap();
+        assert!(check_hazard(&bytes), "{} is not read", path.display());
+        let mutations = mutations(&bytes, &mut chance);
+        let read = mutations.iter().filter(|one| check_hazard(one)).count();
+        // Some damage cannot be told from another value, and some can.
+        assert!(0 < read && read < mutations.len(), "{}", path.display());
+    }
 }
 
 /// Every fifth mutation: some of each kind.
