@@ -254,6 +254,17 @@ fn documents_are_those_of_the_command_line() {
             json!({"word": ["cabinet"]}),
             none.clone(),
         ),
+        (
+            "place list",
+            json!({"country": "Türkiye", "near": "41.01, 28.97"}),
+            none.clone(),
+        ),
+        ("place show", json!({"name": ["Istanbuul"]}), none.clone()),
+        (
+            "place show",
+            json!({"name": ["41.01, 28.97"]}),
+            none.clone(),
+        ),
         ("validate", json!({}), none.clone()),
         (
             "motion code-spectrum",

@@ -508,8 +508,8 @@ for (const [width, height, colorScheme] of [[1280, 900, 'light'], [390, 844, 'da
     await page.waitForSelector('#places tbody tr', PATIENT);
     const rows = await page.$$eval('#places tbody tr', (all) => all.map((one) => one.innerText.split(/\s*\t\s*/)));
     assert.equal(rows.length, 20);
-    assert.equal(rows[0][0].trim(), 'Istanbul, Türkiye');
-    const away = rows.map((one) => Number.parseFloat(one[2]));
+    assert.match(rows[0][0].trim(), /^Istanbul, Türkiye/);
+    const away = rows.map((one) => Number.parseFloat(one[1]));
     assert.deepEqual(away, away.toSorted((a, b) => a - b));
     await accessible(page, 'a place by coordinates');
     await fits(page);
