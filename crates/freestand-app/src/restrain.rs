@@ -15,6 +15,7 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, UnitSystem};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_report::signature::Signing;
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::resolve::{Overrides, StudySource};
 use freestand_study::target::Target;
@@ -141,6 +142,10 @@ request! { question
         /// Show the forces by other codes too, on the same spectrum
         #[arg(long, action = ArgAction::SetTrue)]
         pub compare: Switch,
+        /// Whoever signs has confirmed the values that are quoted from memory: without it a sheet that rests on one is a
+        /// draft
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub allow_recalled: Switch,
     }
 }
 
@@ -175,6 +180,8 @@ pub struct Meant {
     hazard: Hazard,
     /// The files that are read.
     pub inputs: Vec<PathBuf>,
+    /// How the sheets are signed.
+    pub signing: Signing,
 }
 
 /// One object, or a list of them.
@@ -229,6 +236,9 @@ impl Question for Restrain {
             false => self.one(&mut read, &words).map(Asked::One),
         };
         let hazard = self.hazard(&mut read, files);
+        let signing = Signing {
+            allows_recalled: read.flag("allow_recalled"),
+        };
         if let (Some(Asked::One(one)), Some(Hazard::Known(hazard))) = (&asked, &hazard) {
             let one = RestrainRequest {
                 hazard: hazard.clone(),
@@ -252,6 +262,7 @@ impl Question for Restrain {
             asked,
             hazard,
             inputs,
+            signing,
         })
     }
 

@@ -23,6 +23,7 @@ mod edits;
 mod encoding;
 mod floors;
 mod given;
+mod hazardous;
 mod headings;
 mod implausible;
 mod item;
@@ -75,6 +76,7 @@ pub use costs::{costs_of_list, is_list};
 pub use edit::Edit;
 pub use floors::Floors;
 pub use given::Value;
+pub use hazardous::{is_gas_cylinder, is_lain_in};
 pub use item::item_of;
 pub use kept::{items_from_lines, lines_of_items};
 pub use layout::{LeftOut, RowKind};
@@ -95,6 +97,7 @@ pub use vocabulary::rating;
 
 use crate::library::Tolerance;
 use freestand_input::file::InputFile;
+use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{Choices, name_of};
 use freestand_study::cushion::EdgeCushion;
 use freestand_study::hull::BodyInPose;
@@ -322,6 +325,8 @@ pub struct Inventory {
     pub findings: Vec<Finding>,
     /// Warnings about how the file was read.
     pub warnings: Vec<String>,
+    /// The units of most of its columns, or of its cells where its columns have none.
+    pub units: UnitSystem,
 }
 
 impl Inventory {

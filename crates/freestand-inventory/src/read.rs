@@ -91,8 +91,6 @@ pub struct Reading {
     pub inventory: Inventory,
     /// The columns that freestand reads, in the order of the file.
     pub columns: Vec<ColumnRead>,
-    /// The units of most of its columns, or of its cells where its columns have none.
-    pub units: UnitSystem,
     /// The row of the headings, counted from 1.
     pub header_row: u32,
     /// The rows that are not objects.
@@ -244,14 +242,14 @@ pub fn parse_inventory(
         read_with: String::new(),
         findings,
         warnings,
-    };
-    Ok(Reading {
-        inventory,
-        columns: whole.columns,
         units: match is_imperial {
             true => UnitSystem::Us,
             false => UnitSystem::Si,
         },
+    };
+    Ok(Reading {
+        inventory,
+        columns: whole.columns,
         header_row: list.sheet.header.row,
         left_out,
         mapping_file: written(&whole.mapped, options.mapping),

@@ -17,6 +17,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arguments::told;
+use freestand_report::signature::Signing;
+
 use crate::asked::{Named, asked};
 use crate::errors::{of_study, raised_all};
 use crate::motion::Record;
@@ -55,10 +57,11 @@ pub(crate) fn check_object(
 }
 
 /// What a request asks of restraints. A study that cannot be used raises a `StudyError`.
-fn restraints(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Asked> {
+fn restraints(request: &Bound<'_, PyDict>, files: Named) -> PyResult<(Asked, Signing)> {
     let (request, files) = asked::<Restrain>(request, std::iter::empty(), files)?;
     let meant = request.resolve(&files).map_err(raised_all)?;
-    meant.asked().map_err(of_study)
+    let signing = meant.signing;
+    Ok((meant.asked().map_err(of_study)?, signing))
 }
 
 /// The force that a restraint has to carry: the document, and a sheet to print (HTML), of a list one for each object.
@@ -68,15 +71,16 @@ pub(crate) fn restrain(
     request: &Bound<'_, PyDict>,
     files: Named,
 ) -> PyResult<(String, String)> {
-    let work = match restraints(request, files)? {
+    let (asked, signing) = restraints(request, files)?;
+    let work = match asked {
         Asked::One(one) => watched(py, None, |_| {
             let report = restrain_report(restrained(one)?);
-            let sheet = restraint_sheet(&report);
+            let sheet = restraint_sheet(&report, signing);
             Ok((report.facts(), report.warnings, sheet))
         })?,
         Asked::List(list) => watched(py, None, |_| {
             let report = restrain_list_report(restrained_list(&list)?);
-            let sheets = restraint_sheets(&report);
+            let sheets = restraint_sheets(&report, signing);
             Ok((report.facts(), report.warnings, sheets))
         })?,
     };

@@ -17,6 +17,7 @@ mod print_check;
 pub mod restraint;
 pub mod risk;
 pub mod rocking;
+pub mod signature;
 pub mod spectrum;
 pub mod study;
 pub mod table;

@@ -13,6 +13,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_inventory::Inventory;
 use freestand_report::assessment::Earlier;
+use freestand_report::signature::Signing;
 use freestand_risk::budget::{Budget, BudgetRequest};
 use freestand_risk::{amount, years};
 use freestand_study::study::{Study, TitleBlock};
@@ -59,6 +60,10 @@ request! { question
         /// Revision of the report [default: a line to fill in]
         #[arg(long, value_name = "TEXT", help_heading = "The report")]
         pub revision: Option<Written>,
+        /// Whoever signs has confirmed the values that are quoted from memory: without it the report and the work orders
+        /// are drafts where they rest on one
+        #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
+        pub allow_recalled: Switch,
         /// Folder of an earlier assessment: the report says what is new, gone, done or worse since then
         #[arg(long, value_name = "DIR", help_heading = "The report")]
         pub since: Option<Written>,
@@ -144,7 +149,7 @@ impl Meant {
     /// # Errors
     /// Restraints or costs that cannot be read, or that are in another currency.
     pub fn budget(&self, inventory: &Inventory) -> Result<Option<Budget>, Problems> {
-        let of_list = |request| Budget::new(request, &inventory.path);
+        let of_list = |request| Budget::new(request, &inventory.path, inventory.units);
         self.budget.as_ref().map(of_list).transpose()
     }
 }
@@ -188,6 +193,9 @@ impl Question for Assess {
                 force: false,
                 parquet: parquet(&mut read),
                 outcomes: read.flag("outcomes"),
+                signing: Signing {
+                    allows_recalled: read.flag("allow_recalled"),
+                },
             },
             fail_on: read.choices("fail_on", VERDICTS),
             pages: read.whole_within("pages", 0..),

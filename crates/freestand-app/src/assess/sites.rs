@@ -7,6 +7,7 @@ use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::words::nearest;
 use freestand_input::written::Written;
+use freestand_output::paths::is_device;
 use serde_json::{Map, Value};
 use toml_edit::{DocumentMut, Item, TomlError};
 
@@ -213,27 +214,15 @@ fn value(key: &str, item: &Item) -> Result<Value, Problem> {
     })
 }
 
-/// Names that Windows keeps for devices.
-const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
-
 /// Why a folder cannot have this name on some system; `None`: it can.
 fn not_a_folder(name: &str) -> Option<&'static str> {
     const MOST: usize = 100;
     let is_fine = |letter: char| letter.is_alphanumeric() || " -_.".contains(letter);
-    let stem = name
-        .split('.')
-        .next()
-        .unwrap_or_default()
-        .to_ascii_lowercase();
-    let numbered = ["com", "lpt"].iter().any(|device| {
-        let number = stem.strip_prefix(device);
-        number.is_some_and(|number| number.len() == 1 && number.chars().all(|c| c.is_ascii_digit()))
-    });
     if name.is_empty() || name.chars().count() > MOST || !name.chars().all(is_fine) {
         Some("no folder can have this name everywhere")
     } else if name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']) {
         Some("it begins or ends with a dot or a space")
-    } else if numbered || DEVICES.contains(&stem.as_str()) {
+    } else if is_device(name) {
         Some("Windows keeps this name for a device")
     } else {
         None

@@ -29,10 +29,11 @@ use freestand_output::folder::{MANIFEST, OutputFolder, announce};
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
 use freestand_report::assessment::{
-    ALTERNATIVES_NAME, CHANGES_NAME, Earlier, Head, JobReport, JsonRows, OUTCOMES_NAME, PLAN_NAME,
-    WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows, said, write_all,
-    write_worlds,
+    ALTERNATIVES_NAME, CHANGES_NAME, Earlier, Head, JobReport, JsonRows, OUTCOMES_NAME, PARTS_NAME,
+    PARTS_PAGE, PLAN_NAME, WORKLIST_NAME, WORLDS_NAME, Wanted, head, outcomes_head, outcomes_rows,
+    said, write_all, write_worlds,
 };
+use freestand_report::signature::Signing;
 use freestand_risk::budget::{Budget, BudgetPlan, Priced};
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::{Progress, Stage, Step};
@@ -43,7 +44,7 @@ use serde_json::{Map, Value, json};
 pub const SCHEMA: &str = "freestand.assess/1";
 
 /// The files of a job, including optional ones.
-const OUTPUTS: [&str; 11] = [
+const OUTPUTS: [&str; 13] = [
     "objects.csv",
     "objects.parquet",
     WORKLIST_NAME,
@@ -51,6 +52,8 @@ const OUTPUTS: [&str; 11] = [
     OUTCOMES_NAME,
     PLAN_NAME,
     ALTERNATIVES_NAME,
+    PARTS_NAME,
+    PARTS_PAGE,
     CHANGES_NAME,
     "report.html",
     "assessment.xlsx",
@@ -81,6 +84,8 @@ pub struct Job {
     pub parquet: bool,
     /// Write `outcomes.csv` too: every object in every world.
     pub outcomes: bool,
+    /// How the report and the orders are signed.
+    pub signing: Signing,
 }
 
 /// Assesses `inventory` on the floors of `study` and writes all outputs into `target`, on the
@@ -267,6 +272,7 @@ fn written(
         pages: settings.pages,
         plan: plan.as_ref(),
         since: since.as_ref(),
+        signing: job.signing,
     };
     let first = write_all(&folder, head, inventory, wanted, &mut portfolio.rows())?;
     if job.outcomes {
@@ -297,7 +303,7 @@ fn written(
     report.files.sort_unstable();
     folder.write(
         MANIFEST,
-        manifest(study, inventory, &report, (key, budget))?.as_bytes(),
+        manifest(study, inventory, &report, (key, budget, job.signing))?.as_bytes(),
     )?;
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
@@ -423,7 +429,7 @@ fn manifest(
     study: &Study,
     inventory: &Inventory,
     report: &JobReport,
-    (key, budget): (&str, Option<&Budget>),
+    (key, budget, signing): (&str, Option<&Budget>, Signing),
 ) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -439,6 +445,7 @@ fn manifest(
         "first": report.first,
         "inputs": inputs(study, inventory),
         "budget": budget.map(Budget::told),
+        "allow_recalled": signing.allows_recalled,
         "files": report.files,
     });
     document(SCHEMA, &body, &report.all_warnings())
@@ -470,6 +477,7 @@ fn finished(
     if !(has("schema", json!(SCHEMA))
         && has("key", json!(key))
         && has("complete", json!(true))
+        && has("allow_recalled", json!(job.signing.allows_recalled))
         && has("inputs", inputs(study, inventory)))
     {
         return None;

@@ -87,7 +87,8 @@ pub fn assess_sites(
     for one in &mut report.sites {
         one.report.out = target.join(&one.site).display().to_string();
     }
-    write_sites(&folder, &report)?;
+    let title = sites.first().map(|site| site.study.outputs.title.clone());
+    write_sites(&folder, &report, &title.unwrap_or_default(), job.signing)?;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();

@@ -145,7 +145,7 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
         inspect_inventory(&request.list, &options)
     })?;
     let inventory = &reading.inventory;
-    let units = request.units.unwrap_or(reading.units);
+    let units = request.units.unwrap_or(reading.inventory.units);
     // What is wrong with the code or a factor is wrong for every object: it is told once.
     let like = RestrainRequest {
         mass_kg: 1.0,

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use super::Demand;
+use crate::result::RestraintForce;
 
 /// The line about which an object tips that its anchors hold.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
@@ -50,18 +51,28 @@ pub struct AnchorForces {
 }
 
 impl Demand {
-    /// Of each of so many anchors along each of two edges: those of one edge share the tension, all of
-    /// them the force.
+    /// [`of_each_anchor`] of its force.
     pub fn of_each_anchor(&self, anchors_per_edge: usize) -> AnchorForces {
-        let count = anchors_per_edge as f64;
-        let shear_n = self.force.force_n / (2.0 * count);
-        AnchorForces {
-            tension_n: self.force.anchor_tension_n / count,
-            tension_concrete_n: self.force.anchor_tension_concrete_n / count,
-            shear_n,
-            shear_concrete_n: self.force.overstrength_ratio * shear_n,
-        }
+        of_each_anchor(&self.force, anchors_per_edge)
     }
+}
+
+/// Of each of so many anchors along each of two edges: those of one edge share the tension, all of
+/// them the force.
+pub fn of_each_anchor(force: &RestraintForce, anchors_per_edge: usize) -> AnchorForces {
+    let count = anchors_per_edge as f64;
+    let shear_n = force.force_n / (2.0 * count);
+    AnchorForces {
+        tension_n: force.anchor_tension_n / count,
+        tension_concrete_n: force.anchor_tension_concrete_n / count,
+        shear_n,
+        shear_concrete_n: force.overstrength_ratio * shear_n,
+    }
+}
+
+/// Force of a bracket at another height than that of `force` \[N\]: the moment about the feet, F c, stays the same.
+pub fn bracket_at(force: &RestraintForce, height_m: f64) -> f64 {
+    force.bracket_force_n * force.bracket_height_m / height_m
 }
 
 /// An anchor that the user has chosen.

@@ -33,6 +33,12 @@ pub(crate) const ASSUMED_INSET_M: f64 = 0.075;
 /// edges would meet.
 pub(crate) const INSET_SHARE: f64 = 0.25;
 
+/// Distance of the anchors from the edge of a base that they hold down \[m\]: the stated one, else
+/// [`ASSUMED_INSET_M`], but not more than [`INSET_SHARE`] of the base.
+pub fn inset_m(stated_m: Option<f64>, base_m: f64) -> f64 {
+    stated_m.unwrap_or_else(|| ASSUMED_INSET_M.min(INSET_SHARE * base_m))
+}
+
 /// An object about one axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestraintAxis {
@@ -51,10 +57,9 @@ impl RestraintAxis {
         self.weight_lever_m.min(self.base_m - self.weight_lever_m)
     }
 
-    /// Distance of the anchors from the edge that they hold down \[m\]: the stated one, else
-    /// [`ASSUMED_INSET_M`], but not more than [`INSET_SHARE`] of the base.
+    /// [`inset_m`] of its base.
     pub(crate) fn inset_m(&self, stated_m: Option<f64>) -> f64 {
-        stated_m.unwrap_or_else(|| ASSUMED_INSET_M.min(INSET_SHARE * self.base_m))
+        inset_m(stated_m, self.base_m)
     }
 
     /// Lever of the anchors along one edge about the line on the other side about which the object tips
@@ -336,6 +341,7 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
         bracket_force_concrete_n: bracket_force_n(concrete_n, object.cg_height_m, held.height_m),
         bracket_base_shear_n: base_shear_n(force_n, object.cg_height_m, held.height_m),
         note: note.concat(),
+        recalled: source.unread().into_iter().map(|one| one.what).collect(),
     };
     let axis = worst.map(|(axis, _)| axis.clone());
     let of_axis = |value: &dyn Fn(&RestraintAxis) -> f64| axis.as_ref().map_or(0.0, value);

@@ -36,6 +36,8 @@ pub struct RestraintForce {
     pub bracket_base_shear_n: f64,
     /// The formula with its numbers, the factors, and what was assumed.
     pub note: String,
+    /// What of it nobody has read in the code: factors and clauses, by their names.
+    pub recalled: Vec<String>,
 }
 
 /// The kind of source of a force.

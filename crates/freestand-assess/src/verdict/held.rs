@@ -13,7 +13,7 @@ use freestand::rocking::Outcome as Rocking;
 use freestand::worlds::{Group, object_stream};
 use rayon::prelude::*;
 
-use crate::restraint::{ASSUMED_INSET_M, INSET_SHARE};
+use crate::restraint::inset_m;
 use crate::result::Probability;
 use crate::worlds::{FloorOfWorld, Worlds};
 use freestand_input::problem::{Problem, Problems};
@@ -683,7 +683,7 @@ impl Hold {
                         let base_m = block.base_width_m();
                         let right_m = block.cg_from_right_m();
                         let lever_m = right_m.min(base_m - right_m);
-                        let inset_m = ASSUMED_INSET_M.min(INSET_SHARE * base_m);
+                        let inset_m = inset_m(None, base_m);
                         let weight_n = mass_kg * (G0_M_S2 + up_m_s2.unwrap_or(0.0));
                         (mass_kg * a_m_s2.abs() * c_m - weight_n * lever_m) / (base_m - inset_m)
                     }

@@ -38,11 +38,12 @@ impl Tell for Restrain {
         printer: &Printer,
     ) -> Result<Done, Failure> {
         let inputs = std::mem::take(&mut meant.inputs);
+        let signing = meant.signing;
         match meant.asked()? {
             Asked::One(one) => {
                 let mut report = restrain_report(restrain(one)?);
                 let files = Files::begin(global, &inputs)?;
-                report.sheet_path = files.write(SHEET, || restraint_sheet(&report))?;
+                report.sheet_path = files.write(SHEET, || restraint_sheet(&report, signing))?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {
                     restraint_text(&report)
                 })?;
@@ -55,7 +56,7 @@ impl Tell for Restrain {
                     let workbook = restraint_workbook(&report)?;
                     files.write(WORKBOOK, || workbook)?;
                 }
-                report.sheet_path = files.write(SHEET, || restraint_sheets(&report))?;
+                report.sheet_path = files.write(SHEET, || restraint_sheets(&report, signing))?;
                 files.print(printer, SCHEMA, &report, &report.warnings, || {
                     restraints_text(&report)
                 })?;

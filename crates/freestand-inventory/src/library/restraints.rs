@@ -13,7 +13,7 @@ use super::reader::RowReader;
 use super::table::{Column, Row, Table};
 
 /// The columns of a library of restraints.
-const RESTRAINT_COLUMNS: [Column; 20] = [
+const RESTRAINT_COLUMNS: [Column; 21] = [
     Column::text("id").needed(),
     Column::text("item").needed(),
     Column::text("kind").needed(),
@@ -23,6 +23,7 @@ const RESTRAINT_COLUMNS: [Column; 20] = [
     Column::number("height", Dimension::Ratio),
     Column::number("capacity", Dimension::Force),
     Column::number("beta", Dimension::Ratio),
+    Column::number("anchors", Dimension::Ratio),
     Column::text("capacity_source"),
     Column::text("capacity_confidence"),
     Column::number("price_low", Dimension::Ratio).needed(),
@@ -132,6 +133,8 @@ pub struct RestraintEntry {
     pub beta: f64,
     /// Whether nobody stated β.
     pub beta_is_assumed: bool,
+    /// How many anchors share its force: screws in studs, anchors in concrete; `None`: not known.
+    pub anchors: Option<u16>,
     /// Where the capacity comes from.
     pub capacity_source: String,
     /// How far it can be trusted; `None`: there is none.
@@ -158,6 +161,9 @@ pub struct RestraintEntry {
 
 /// The height of a bracket where a row has none, over that of the object: that of `restrain`.
 const HEIGHT_RATIO: f64 = 0.9;
+
+/// The most anchors of one restraint.
+const MOST_ANCHORS: u16 = 100;
 
 impl RestraintEntry {
     fn read(table: &Table, row: &Row, origin: &str) -> Result<Self, Problems> {
@@ -188,6 +194,12 @@ impl RestraintEntry {
         }
         let capacity_n = reader.positive("capacity", Dimension::Force);
         let beta = reader.positive("beta", Dimension::Ratio);
+        let anchors = reader.positive("anchors", Dimension::Ratio);
+        if anchors.is_some_and(|count| count.fract() != 0.0 || count > f64::from(MOST_ANCHORS)) {
+            let hint = format!("write a whole number up to {MOST_ANCHORS}, or leave it empty");
+            reader.note("anchors", "is not a number of anchors", &hint);
+        }
+        let anchors = anchors.map(|count| count.min(f64::from(MOST_ANCHORS)) as u16);
         let capacity_confidence =
             capacity_n.and_then(|_| reader.word("capacity_confidence", Confidence::VARIANTS));
         let [low, high] = ["price_low", "price_high"].map(|column| {
@@ -218,6 +230,7 @@ impl RestraintEntry {
             capacity_n,
             beta: beta.unwrap_or(ASSUMED_BETA),
             beta_is_assumed: beta.is_none(),
+            anchors,
             capacity_source: reader.text("capacity_source"),
             capacity_confidence,
             price: (low, high),
@@ -241,9 +254,14 @@ impl RestraintEntry {
 
     /// What it costs for one object, with the work: the low end, the middle, and the high end, in its currency.
     pub fn cost(&self) -> [f64; 3] {
-        let work = self.fitter_minutes / 60.0 * self.fitter_hour;
+        let work = self.work();
         let (low, high) = self.price;
         [low, 0.5 * (low + high), high].map(|price| price + work)
+    }
+
+    /// What the work for one object costs, in its currency.
+    pub fn work(&self) -> f64 {
+        self.fitter_minutes / 60.0 * self.fitter_hour
     }
 
     /// Whether it is a built-in one, whose prices are rough.

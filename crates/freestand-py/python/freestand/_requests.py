@@ -217,6 +217,7 @@ def restrain(
     anchor_shear_capacity_n: float | None = None,
     anchors_per_edge: int | None = None,
     compare: bool = False,
+    allow_recalled: bool = False,
     **target: Unpack[TargetArguments],
 ) -> RestrainResult:
     """The force that the code asks of a restraint, and what it asks of the anchors.
@@ -251,6 +252,8 @@ def restrain(
         Number of anchors that share the tension.
     compare : bool, default False
         Whether `others` has the forces by the other codes.
+    allow_recalled : bool, default False
+        Whether you have confirmed the values of `to_confirm`: without it a sheet that rests on one is a draft.
     **target
         The hazard of a code: `TargetArguments`, see `code_spectrum`.
 
@@ -274,7 +277,7 @@ def restrain(
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
         component=component, anchor_inset_m=anchor_inset_m, pivot=pivot, anchor=anchor,
         anchor_capacity_n=anchor_capacity_n, anchor_shear_capacity_n=anchor_shear_capacity_n, anchors_per_edge=anchors_per_edge,
-        compare=flag("compare", compare), units="si",
+        compare=flag("compare", compare), allow_recalled=flag("allow_recalled", allow_recalled), units="si",
     )  # fmt: skip
     text, sheet = _freestand.restrain(asked, study_file(study))
     result = RestrainResult(json.loads(text), sheet)
@@ -305,6 +308,7 @@ def restrain_list(
     anchor_capacity_n: float | None = None,
     anchor_shear_capacity_n: float | None = None,
     anchors_per_edge: int | None = None,
+    allow_recalled: bool = False,
     **target: Unpack[TargetArguments],
 ) -> RestrainListResult:
     """The forces that the code asks of the restraints of all objects of a list.
@@ -336,6 +340,8 @@ def restrain_list(
         The name of the anchor that you have chosen, and its design capacities in tension and in shear [N].
     anchors_per_edge : int, optional
         Number of anchors that share the tension.
+    allow_recalled : bool, default False
+        Whether you have confirmed the values of `to_confirm`: without it a sheet that rests on one is a draft.
     **target
         The hazard of a code: `TargetArguments`, see `code_spectrum`.
 
@@ -356,7 +362,8 @@ def restrain_list(
         amplification_ratio=amplification_ratio, response_ratio=response_ratio, resonance_ratio=resonance_ratio,
         strength_ratio=strength_ratio, building_ductility_ratio=building_ductility_ratio,
         component=component, anchor_inset_m=anchor_inset_m, pivot=pivot, anchor=anchor,
-        anchor_capacity_n=anchor_capacity_n, anchor_shear_capacity_n=anchor_shear_capacity_n, anchors_per_edge=anchors_per_edge, units="si",
+        anchor_capacity_n=anchor_capacity_n, anchor_shear_capacity_n=anchor_shear_capacity_n, anchors_per_edge=anchors_per_edge,
+        allow_recalled=flag("allow_recalled", allow_recalled), units="si",
     )  # fmt: skip
     with as_file(inventory) as listed:
         if listed.path is None:
@@ -472,6 +479,7 @@ def assess(
     parquet: bool = False,
     outcomes: bool = False,
     since: PathLike | None = None,
+    allow_recalled: bool = False,
     budget: str | None = None,
     restraints: PathLike | None = None,
     horizon_years: float | None = None,
@@ -513,6 +521,8 @@ def assess(
         Whether to write objects.parquet, and what happened to every object in every world.
     since : path, optional
         Folder of an earlier assessment: the result then has `since`, with what is new, gone, done or worse.
+    allow_recalled : bool, default False
+        Whether you have confirmed the values quoted from memory: without it the report and the work orders are drafts.
     budget : str, optional
         The most that restraints may cost, such as "20000 NZD": the result then has their `plan`, life safety first.
     restraints : path, optional
@@ -538,7 +548,7 @@ def assess(
         fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, sheet=sheet, edit=edits,
         storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
         format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
-        resume=flag("resume", resume), budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
+        resume=flag("resume", resume), allow_recalled=flag("allow_recalled", allow_recalled), budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
     )  # fmt: skip
     files = study_file(study) | {
         "spectrum": (spectrum, None), "columns": (columns, None), "library": (library, None),

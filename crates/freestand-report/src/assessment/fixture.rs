@@ -55,6 +55,7 @@ pub(super) fn head(total: usize) -> Head {
         warnings: vec!["Row 7: the stiffness looks like N/m typed for N/mm.".into()],
         is_elastic: true,
         title: freestand_study::study::TitleBlock::default(),
+        recalled_place: None,
         cards: false,
         confidence: 0.98,
         total,
@@ -133,6 +134,7 @@ pub(super) fn inventory(items: Vec<Item>) -> Inventory {
         read_with: String::new(),
         findings: vec![],
         warnings: vec![],
+        units: Default::default(),
     }
 }
 
@@ -430,6 +432,7 @@ fn forces() -> Vec<RestraintForce> {
         bracket_force_concrete_n: force_n,
         bracket_base_shear_n: 0.5 * force_n,
         note: "F = a_floor I_c a_c / R_c · W = 0.3 × 1.0 × 1.0 / 1.0 × W".to_owned(),
+        recalled: vec!["R_c".to_owned()],
     };
     vec![
         force("AS 1170.4-2007, 8.2", 410.0, 950.0),

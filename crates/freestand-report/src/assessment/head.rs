@@ -41,6 +41,8 @@ pub struct Head {
     pub is_elastic: bool,
     /// Who signs for the report.
     pub title: TitleBlock,
+    /// The place, where its hazard is quoted from memory.
+    pub recalled_place: Option<String>,
     /// Whether the cards of objects are printed.
     pub cards: bool,
     /// Confidence of the intervals in brackets.
@@ -109,6 +111,7 @@ pub fn head(study: &Study, inventory: &Inventory) -> Head {
             .collect(),
         is_elastic: study.building.is_some(),
         title: study.outputs.title.clone(),
+        recalled_place: recalled_place(study),
         cards: study.outputs.cards,
         confidence: study.assessment.worlds.looks.confidence(),
         total: inventory.items.len(),
@@ -141,6 +144,12 @@ fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
             inventory.items.len()
         )
     })
+}
+
+fn recalled_place(study: &Study) -> Option<String> {
+    let place = study.ground.code_spectrum()?.place.as_ref()?;
+    let is_recalled = place.confidence == Confidence::Approximate;
+    is_recalled.then(|| format!("hazard of {}", place.name))
 }
 
 /// The name of the place whose hazard was used.

@@ -9,6 +9,7 @@ mod fixture;
 mod floors;
 pub mod head;
 mod hold;
+mod orders;
 mod outcomes;
 mod overview;
 mod parquet;
@@ -16,6 +17,7 @@ mod plan;
 pub mod reasons;
 mod report;
 mod rows;
+mod sheet_cell;
 mod since;
 mod sites;
 mod sources;
@@ -37,8 +39,9 @@ use serde::{Deserialize, Serialize};
 
 pub use estimates::{EstimateRow, first_estimates, time_left, usual_time};
 pub use head::{Head, head};
+pub use orders::{PARTS_NAME, PARTS_PAGE};
 pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
-pub use plan::{ALTERNATIVES_NAME, PLAN_NAME, write_plan};
+pub use plan::{ALTERNATIVES_NAME, PLAN_NAME};
 pub use rows::JsonRows;
 pub use rows::{object_rows, row_schema};
 pub use since::{CHANGES_NAME, Earlier, Since};
@@ -48,6 +51,7 @@ pub use told::{JobReport, PlanReport, said};
 pub use worklist::WORKLIST_NAME;
 pub use worlds::{WORLDS_NAME, write_worlds};
 
+use crate::signature::Signing;
 use csv::CsvTable;
 use overview::Overview;
 use parquet::ParquetTable;
@@ -72,6 +76,8 @@ pub struct Wanted<'p> {
     pub plan: Option<&'p BudgetPlan>,
     /// What has changed since an earlier assessment, if that was asked for.
     pub since: Option<&'p Since>,
+    /// How the report and the orders are signed.
+    pub signing: Signing,
 }
 
 /// One of the most urgent objects, in words for a console.
@@ -141,22 +147,22 @@ pub fn write_all(
 }
 
 /// The files as they are written.
-struct Outputs {
+struct Outputs<'p> {
     overview: Overview,
     sources: Sources,
     csv: CsvTable,
     worklist: Worklist,
     parquet: Option<ParquetTable>,
     book: Option<Book>,
-    report: Option<Report>,
+    report: Option<Report<'p>>,
 }
 
-impl Outputs {
+impl<'p> Outputs<'p> {
     fn begin(
         folder: &OutputFolder,
         head: &Head,
         inventory: &Inventory,
-        wanted: Wanted,
+        wanted: Wanted<'p>,
     ) -> Result<Self, Problem> {
         let total = head.total.max(inventory.items.len());
         Ok(Self {
@@ -172,7 +178,9 @@ impl Outputs {
                 .workbook
                 .then(|| Book::begin(folder, inventory))
                 .transpose()?,
-            report: wanted.report.then(|| Report::new(wanted.pages)),
+            report: wanted
+                .report
+                .then(|| Report::new(wanted.pages, wanted.plan)),
         })
     }
 
@@ -202,11 +210,17 @@ impl Outputs {
         head: &Head,
         wanted: Wanted,
     ) -> Result<Vec<First>, Problem> {
-        let Wanted { plan, since, .. } = wanted;
+        let Wanted {
+            plan,
+            since,
+            signing,
+            ..
+        } = wanted;
         self.csv.finish()?;
         self.worklist.finish(folder)?;
         if let Some(plan) = plan {
-            write_plan(folder, plan)?;
+            plan::write_plan(folder, plan)?;
+            orders::write_orders(folder, plan, None, &head.title, signing)?;
         }
         if let Some(since) = since {
             since::write(folder, since)?;

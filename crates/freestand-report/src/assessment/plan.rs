@@ -10,7 +10,8 @@ use freestand_output::folder::OutputFolder;
 use freestand_output::html::{Cell, figure, heading, list, paragraph, table, words};
 use freestand_risk::budget::{BudgetPlan, NotPlanned, PlanRow, Planned, Standing};
 
-use super::words::probability;
+use super::sheet_cell::SheetCell;
+use super::words::{amount, probability};
 use crate::table::table as text_table;
 
 /// The file of the plan.
@@ -26,25 +27,9 @@ const MOST_ROWS: usize = 300;
 ///
 /// # Errors
 /// A full disk.
-pub fn write_plan(folder: &OutputFolder, plan: &BudgetPlan) -> Result<(), Problem> {
+pub(super) fn write_plan(folder: &OutputFolder, plan: &BudgetPlan) -> Result<(), Problem> {
     folder.write(PLAN_NAME, table_of(plan.planned())?.as_ref())?;
     folder.write(ALTERNATIVES_NAME, table_of(&plan.rows)?.as_ref())
-}
-
-/// An amount of money in whole units, with a narrow space between its thousands.
-fn amount(value: f64) -> String {
-    let digits = format!("{:.0}", value.abs());
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place) % 3 == 0 && digits.len() > 4 {
-            text.push('\u{202f}');
-        }
-        text.push(digit);
-    }
-    match value < 0.0 && text != "0" {
-        true => format!("−{text}"),
-        false => text,
-    }
 }
 
 /// Whether an option is planned, in words.
@@ -325,7 +310,8 @@ fn with_currency(head: &str, plan: &BudgetPlan) -> String {
 }
 
 /// The plan for the report.
-pub(super) fn plan_html(plan: &BudgetPlan) -> String {
+/// `orders`: links to the work orders.
+pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
     let mut html: String = sentences(plan).iter().map(|said| paragraph(said)).collect();
     let heads = |more: &[&str]| -> Vec<Cell> {
         let own = HEADINGS.iter().map(|(head, is_number)| {
@@ -354,6 +340,7 @@ pub(super) fn plan_html(plan: &BudgetPlan) -> String {
     if !planned.is_empty() {
         html.push_str(&table("", &[heads(&[])], &planned));
     }
+    html.push_str(orders);
     let rest: Vec<&PlanRow> = plan.rows.iter().filter(|row| !row.is_planned()).collect();
     if !rest.is_empty() {
         html.push_str(&heading("Alternatives, and what is not planned"));
@@ -372,6 +359,35 @@ pub(super) fn plan_html(plan: &BudgetPlan) -> String {
     html.push_str(&heading("What the plan assumes"));
     html.push_str(&list(&assumptions(plan)));
     html
+}
+
+/// The options for one object side by side, for its card: what each costs, carries and leaves of its risk.
+pub(super) fn options_html(options: &[&PlanRow]) -> String {
+    let Some(first) = options.first() else {
+        return String::new();
+    };
+    let headings = vec![
+        words("Option"),
+        words("What it is"),
+        figure(format!("Cost ({})", first.currency)),
+        words("Force"),
+        words("Falls now"),
+        words("Falls with it"),
+        words("In the plan"),
+    ];
+    let row = |row: &&PlanRow| {
+        vec![
+            words(&row.measure),
+            words(&row.measure_item),
+            figure(format!("{}–{}", amount(row.cost[0]), amount(row.cost[2]))),
+            words(&force(row)),
+            words(&probability(row.before)),
+            words(&after(row)),
+            words(standing_words(row.standing)),
+        ]
+    };
+    let rows: Vec<Vec<Cell>> = options.iter().map(row).collect();
+    table("", &[headings], &rows)
 }
 
 /// The rows of the sheet: headings, then every option, as texts and numbers.
@@ -431,11 +447,4 @@ pub(super) fn sheet_headings(plan: &BudgetPlan) -> Vec<(String, f64)> {
         money("annual loss with it"),
         money("present value saved"),
     ]
-}
-
-/// A cell of the sheet.
-pub(super) enum SheetCell {
-    Text(String),
-    Number(Option<f64>),
-    Share(Option<f64>),
 }

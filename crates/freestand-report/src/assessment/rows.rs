@@ -159,6 +159,9 @@ mod tests {
         pages: 0,
         plan: None,
         since: None,
+        signing: crate::signature::Signing {
+            allows_recalled: false,
+        },
     };
 
     fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {

@@ -10,17 +10,27 @@ use freestand_output::answer::{ByName, table_of};
 use freestand_output::facts;
 use freestand_output::folder::OutputFolder;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
+use freestand_study::study::TitleBlock;
 
 use super::csv::CSV_NAME;
+use super::orders::{PARTS_NAME, PARTS_PAGE, write_orders};
 use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text_of_sites};
 use super::told::JobReport;
+use crate::signature::Signing;
 use crate::table::table;
 
 /// The file with the counts of each site.
 pub const SITES_NAME: &str = "sites.csv";
 
 /// The files that all sites share.
-pub const SHARED_NAMES: [&str; 4] = [CSV_NAME, SITES_NAME, PLAN_NAME, ALTERNATIVES_NAME];
+pub const SHARED_NAMES: [&str; 6] = [
+    CSV_NAME,
+    SITES_NAME,
+    PLAN_NAME,
+    ALTERNATIVES_NAME,
+    PARTS_NAME,
+    PARTS_PAGE,
+];
 
 answer! {
     /// What became of the objects of a site.
@@ -108,7 +118,12 @@ impl SitesReport {
 ///
 /// # Errors
 /// A table of a site that cannot be read again, or a full disk.
-pub fn write_sites(folder: &OutputFolder, report: &SitesReport) -> Result<(), Problem> {
+pub fn write_sites(
+    folder: &OutputFolder,
+    report: &SitesReport,
+    title: &TitleBlock,
+    signing: Signing,
+) -> Result<(), Problem> {
     let names: Vec<&str> = report.sites.iter().map(|one| one.site.as_str()).collect();
     objects(folder, &names)?;
     let rows = report.sites.iter().map(|one| {
@@ -125,6 +140,10 @@ pub fn write_sites(folder: &OutputFolder, report: &SitesReport) -> Result<(), Pr
     if let (Some(plan), Some(all)) = (&report.plan, &report.plan_alternatives) {
         folder.write(PLAN_NAME, table_of(plan)?.as_ref())?;
         folder.write(ALTERNATIVES_NAME, table_of(all)?.as_ref())?;
+    }
+    if let (Some(plan), Some(all)) = (&report.budget, &report.plan_alternatives) {
+        let sites: Vec<String> = all.iter().map(|row| row.site.clone()).collect();
+        write_orders(folder, plan, Some(&sites), title, signing)?;
     }
     Ok(())
 }

@@ -215,6 +215,22 @@ pub const HOW_TO_READ: [&str; 9] = [
      printed where it is open.",
 ];
 
+/// An amount of money in whole units, with a narrow space between its thousands.
+pub(super) fn amount(value: f64) -> String {
+    let digits = format!("{:.0}", value.abs());
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place) % 3 == 0 && digits.len() > 4 {
+            text.push('\u{202f}');
+        }
+        text.push(digit);
+    }
+    match value < 0.0 && text != "0" {
+        true => format!("−{text}"),
+        false => text,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -362,6 +362,9 @@ mod tests {
         pages: 0,
         plan: None,
         since: None,
+        signing: crate::signature::Signing {
+            allows_recalled: false,
+        },
     };
 
     fn worklist(items: Vec<Item>) -> Vec<Vec<String>> {

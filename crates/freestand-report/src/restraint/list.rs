@@ -211,13 +211,20 @@ pub(super) fn name(one: &HeldItem) -> String {
     }
 }
 
-/// `0.62`, `1.2 (not enough)`.
-fn ratio_words(ratio: f64) -> String {
+/// `0.62`, `1.2 (not enough)`, `0.5 (shear not compared)`.
+fn ratio_words(ratio: f64, case: &Case) -> String {
     let digits = number(ratio, 3);
-    if ratio > 1.0 {
-        format!("{digits} (not enough)")
-    } else {
-        digits
+    let has_shear = case
+        .request
+        .anchors
+        .chosen
+        .as_ref()
+        .is_some_and(|anchor| anchor.shear_n.is_some());
+    match (ratio > 1.0, has_shear) {
+        (true, true) => format!("{digits} (not enough)"),
+        (true, false) => format!("{digits} (not enough; shear not compared)"),
+        (false, true) => digits,
+        (false, false) => format!("{digits} (shear not compared)"),
     }
 }
 
@@ -232,7 +239,10 @@ fn line(one: &HeldItem, units: UnitSystem) -> Vec<String> {
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
             ]);
-            line.extend(case.demand_capacity_ratio().map(ratio_words));
+            line.extend(
+                case.demand_capacity_ratio()
+                    .map(|ratio| ratio_words(ratio, case)),
+            );
         }
         Err(why) => line.push(not_held(why)),
     }

@@ -17,7 +17,10 @@ use super::words::{
 };
 use freestand_assess::restrain::{Case, Doubt, HeldItem};
 use freestand_assess::restraint::Demand;
+use freestand_study::places::Confidence;
 use freestand_study::target::Target;
+
+use crate::signature::{SIGNATURE_CSS, Signing, signature};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -49,18 +52,18 @@ sub { font-size: .72em; line-height: 0; }
 ";
 
 /// `restraint.html` of one object.
-pub fn restraint_sheet(report: &RestrainReport) -> String {
+pub fn restraint_sheet(report: &RestrainReport, signing: Signing) -> String {
     let case = &report.case;
     let html = opening(
         "Restraint of an object",
         &subtitle(case),
-        &format!("{ONE_PAGE_CSS}{CSS}"),
+        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
     );
-    html + &sheet(case, "") + CLOSING
+    html + &sheet(case, "", signing) + CLOSING
 }
 
 /// `restraint.html` of a list: a table of all objects, and a sheet for each that has a force.
-pub fn restraint_sheets(report: &RestrainListReport) -> String {
+pub fn restraint_sheets(report: &RestrainListReport, signing: Signing) -> String {
     let held = &report.held;
     let hazard = held
         .target
@@ -69,7 +72,7 @@ pub fn restraint_sheets(report: &RestrainListReport) -> String {
     let mut html = opening(
         "Restraints of a list",
         &hazard,
-        &format!("{ONE_PAGE_CSS}{CSS}"),
+        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
     );
     let said = format!(
         "{} of {} objects have a force; a sheet for each follows.",
@@ -122,7 +125,7 @@ pub fn restraint_sheets(report: &RestrainListReport) -> String {
             "<section class=\"object\">\n<h2>{}</h2>\n<p class=\"sub\">{}</p>\n{}</section>\n",
             escape(&name(one)),
             escape(&below),
-            sheet(case, &one.id)
+            sheet(case, &one.id, signing)
         ));
     }
     html + CLOSING
@@ -161,7 +164,7 @@ fn subtitle(case: &Case) -> String {
 }
 
 /// The sheet of one object below its title.
-fn sheet(case: &Case, id: &str) -> String {
+fn sheet(case: &Case, id: &str, signing: Signing) -> String {
     let (own, force) = (&case.own, &case.own.force);
     let units = case.request.units;
     let mut html = String::from("<div class=\"sheet\">\n<div>\n");
@@ -237,7 +240,7 @@ fn sheet(case: &Case, id: &str) -> String {
         .collect();
     notes.extend(assumptions(case));
     let lifts_nothing = case.doubts.contains(&Doubt::NoTension);
-    notes.extend(lifts_nothing.then(|| NO_TENSION.to_owned()));
+    notes.extend(lifts_nothing.then(|| sentence(NO_TENSION)));
     notes.extend(own.source.remarks.iter().cloned());
     notes.push(
         "The sheet gives what the restraint must carry. Anchors, base plates, and the floor or wall that they are in \
@@ -250,11 +253,26 @@ fn sheet(case: &Case, id: &str) -> String {
     } else {
         id
     };
-    html.push_str(&format!(
+    let lines = format!(
         "<div class=\"sign\"><span>{}</span><span>Name</span><span>Date and signature</span></div>\n",
         escape(asset)
-    ));
-    html
+    );
+    html + &signature(&lines, &recalled(case), signing)
+}
+
+/// What of a sheet is quoted from memory.
+fn recalled(case: &Case) -> Vec<String> {
+    let clause = clause_words(&case.own);
+    let unread = to_confirm(&case.own).into_iter();
+    let place = case
+        .target
+        .as_ref()
+        .and_then(|target| target.place.as_ref());
+    let place = place.filter(|place| place.confidence == Confidence::Approximate);
+    unread
+        .map(|one| format!("{clause}: {}", one.what))
+        .chain(place.map(|place| format!("hazard of {}", place.name)))
+        .collect()
 }
 
 /// The box of what nobody has read in the code: an engineer writes the value of the edition beside it.
@@ -282,7 +300,7 @@ fn confirmations(case: &Case) -> String {
     let table = html::classed_table("blanks", "", &[titles.to_vec()], &rows);
     format!(
         "<section class=\"confirm\">\n{}{table}</section>\n",
-        heading("To be confirmed by the engineer")
+        heading("To be confirmed by the engineer (confidence: recalled)")
     )
 }
 

@@ -6,7 +6,8 @@ use freestand_input::words::{counted, listed, number};
 
 use freestand_assess::restrain::{Anchor, Assumed, Case, Doubt, NotHeld, Pivot, StandsOn};
 use freestand_assess::restraint::Demand;
-use freestand_assess::restraint::factor::{Factor, FactorSource};
+use freestand_assess::restraint::factor::Factor;
+use freestand_assess::restraint::sources::Unread;
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::target::Target;
 
@@ -72,7 +73,7 @@ pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64)
 /// What is said where the force of a code lifts nothing.
 pub(super) const NO_TENSION: &str = "No tension does not mean that the object stands without anchors: the force of a \
                           code may be reduced for ductility, and an earthquake may lift the object all the same. \
-                          freestand assess simulates that.";
+                          freestand assess simulates that";
 
 /// What there is to know beside a force.
 pub(super) fn doubt_words(doubt: &Doubt) -> String {
@@ -214,30 +215,8 @@ pub(super) fn clause_words(demand: &Demand) -> String {
 
 /// What an engineer must confirm of a force.
 pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
-    let factor = |factor: &Factor| match factor.source {
-        FactorSource::Recalled("") => Some(ToConfirm {
-            what: factor.symbol.to_owned(),
-            value: factor.number(),
-        }),
-        FactorSource::Recalled(reason) => Some(ToConfirm {
-            what: format!("{}: {reason}", factor.symbol),
-            value: factor.number(),
-        }),
-        FactorSource::Given
-        | FactorSource::Assumed(_)
-        | FactorSource::Found(_)
-        | FactorSource::Read(_) => None,
-    };
-    let clause = |what: &&str| ToConfirm {
-        what: (*what).to_owned(),
-        value: String::new(),
-    };
-    let source = &demand.source;
-    source
-        .factors
-        .iter()
-        .filter_map(factor)
-        .chain(source.to_confirm.iter().map(clause))
+    let open = demand.source.unread().into_iter();
+    open.map(|Unread { what, value }| ToConfirm { what, value })
         .collect()
 }
 

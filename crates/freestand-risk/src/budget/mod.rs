@@ -1,10 +1,14 @@
 //! Which objects of an assessment to restrain with a given amount of money: life safety first, then what pays most.
 
+mod fitting;
 mod rates;
 mod uses;
 
+pub use fitting::{Fitting, ToFit};
+
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use freestand::decision::{Level, annual_rate};
 use freestand::risk::{Hazard, present_value_factor_years};
@@ -16,7 +20,7 @@ use freestand_assess::verdict::{
 use freestand_assess::worlds::Worlds;
 use freestand_input::file::InputFile;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_inventory::library::{
     Confidence, Hold, HoldsWhat, RestraintEntry, RestraintKind, RestraintLibrary,
 };
@@ -76,14 +80,16 @@ pub struct Budget {
     /// Of the objects of the list, by their ids.
     costs: HashMap<String, CostRow>,
     has_costs: bool,
+    /// The units of the list.
+    units: UnitSystem,
 }
 
 impl Budget {
-    /// What is asked of this list, with everything that it needs.
+    /// What is asked of this list, which has these units, with everything that it needs.
     ///
     /// # Errors
     /// A file of restraints or costs that cannot be read; costs or restraints in another currency.
-    pub fn new(request: &BudgetRequest, list: &Path) -> Result<Self, Problems> {
+    pub fn new(request: &BudgetRequest, list: &Path, units: UnitSystem) -> Result<Self, Problems> {
         let (amount, currency) = &request.budget;
         let currency = currency_code(currency).to_owned();
         let library = RestraintLibrary::restraints(request.restraints.as_deref())?;
@@ -143,6 +149,7 @@ impl Budget {
                 .map(|row| (row.id.clone(), row))
                 .collect(),
             has_costs,
+            units,
         })
     }
 
@@ -289,6 +296,10 @@ pub struct PlanRow {
     pub benefit: Option<f64>,
     /// What its fall means for people, and whether that is assumed.
     pub life_safety: (Option<Rating>, bool),
+    /// The object, shared by all its measures.
+    pub object: Arc<ToFit>,
+    /// What fitting the restraint takes, for one of them.
+    pub fitting: Fitting,
 }
 
 impl PlanRow {
@@ -435,6 +446,7 @@ struct Candidate<'a> {
     item: &'a Item,
     decision: Decision,
     before: Probability,
+    object: Arc<ToFit>,
     entries: Vec<&'a RestraintEntry>,
 }
 
@@ -457,7 +469,7 @@ impl Budget {
     ) -> Result<Priced, Problems> {
         let mut candidates: Vec<Candidate> = Vec::new();
         for row in rows {
-            candidates.extend(self.candidate(row?));
+            candidates.extend(self.candidate(row?, study));
         }
         let (hazard, extends) = rates::rates_of(study).unzip();
         let extends = extends.unwrap_or(false);
@@ -494,7 +506,7 @@ impl Budget {
     }
 
     /// `None`: nothing needs to be done, or nothing is known of it.
-    fn candidate<'a>(&'a self, row: Row<'a>) -> Option<Candidate<'a>> {
+    fn candidate<'a>(&'a self, row: Row<'a>, study: &Study) -> Option<Candidate<'a>> {
         let before = row.found.p_overturn?;
         let is_asked = before.value > 0.0
             || !matches!(row.found.decision, Decision::Leave | Decision::NoVerdict);
@@ -513,6 +525,7 @@ impl Budget {
             item: row.item,
             decision: row.found.decision,
             before,
+            object: Arc::new(fitting::to_fit(&row, study, self.units)),
             entries: self.library.entries().iter().filter(suits).collect(),
         })
     }
@@ -580,6 +593,8 @@ impl Budget {
             losses,
             benefit: losses.map(|[before, after]| years * (before - after)),
             life_safety: uses::life_safety(item),
+            object: Arc::clone(&candidate.object),
+            fitting: fitting::fitting(entry, converted),
         }
     }
 

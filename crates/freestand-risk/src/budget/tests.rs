@@ -21,7 +21,7 @@ fn of_list(list: &str, request: &BudgetRequest) -> Result<Budget, Problems> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("list.csv");
     std::fs::write(&path, list).unwrap();
-    Budget::new(request, &path)
+    Budget::new(request, &path, UnitSystem::Si)
 }
 
 fn refused(list: &str, request: &BudgetRequest) -> String {
@@ -118,6 +118,17 @@ fn row(object: usize, measure: usize, draw: &mut impl FnMut(f64, f64) -> f64) ->
         losses: Some([loss, loss - saved]),
         benefit: Some(0.1 * saved),
         life_safety: (rating, false),
+        object: Arc::default(),
+        fitting: Fitting {
+            height_ratio: 0.9,
+            anchors: Some(2),
+            price: [cost; 2],
+            minutes: 0.0,
+            work: 0.0,
+            capacity_source: String::new(),
+            price_source: String::new(),
+            note: String::new(),
+        },
     }
 }
 

@@ -1,48 +1,15 @@
 //! What an object is for those who restrain it: which restraints suit it, and what its fall means for people.
 
-use freestand_input::words::canonical;
 use freestand_inventory::library::HoldsWhat;
-use freestand_inventory::{Casters, Item, Rating};
+use freestand_inventory::{Casters, Item, Rating, is_gas_cylinder, is_lain_in};
 
 /// A wall that is farther away is not for its restraint: brackets and straps are shorter \[m\].
 const NEAR_WALL_M: f64 = 0.3;
 
-/// Words by which gas cylinders are recognised, in the form of [`canonical`].
-const CYLINDERS: [&str; 9] = [
-    "cylinder",
-    "gas bottle",
-    "gasflasche",
-    "sauerstoffflasche",
-    "bouteille de gaz",
-    "bombola",
-    "bombona",
-    "cilindro de gas",
-    "botella de gas",
-];
-
-/// Words by which incubators of children and beds are recognised, in which somebody lies. An incubator alone may be
-/// one of a laboratory.
-const OCCUPIED: [&str; 9] = [
-    "neonatal incubator",
-    "infant incubator",
-    "infant warmer",
-    "incubadora neonatal",
-    "incubatrice neonatale",
-    "couveuse",
-    "kuvoz",
-    "hospital bed",
-    "patient bed",
-];
-
-fn has_one_of(item: &Item, words: &[&str]) -> bool {
-    let text = canonical(&item.item);
-    words.iter().any(|word| text.contains(word))
-}
-
 /// What may hold an object.
 pub(super) fn uses(item: &Item) -> Vec<HoldsWhat> {
     let around = &item.surroundings;
-    if has_one_of(item, &CYLINDERS) {
+    if is_gas_cylinder(&item.item) {
         return vec![HoldsWhat::Cylinder];
     }
     if matches!(around.casters, Some(Casters::Free | Casters::Braked)) {
@@ -58,9 +25,7 @@ pub(super) fn uses(item: &Item) -> Vec<HoldsWhat> {
 pub(super) fn life_safety(item: &Item) -> (Option<Rating>, bool) {
     match item.consequences.life_safety {
         Some(rating) => (Some(rating), false),
-        None if has_one_of(item, &CYLINDERS) || has_one_of(item, &OCCUPIED) => {
-            (Some(Rating::High), true)
-        }
+        None if is_gas_cylinder(&item.item) || is_lain_in(&item.item) => (Some(Rating::High), true),
         None => (None, false),
     }
 }

@@ -13,6 +13,7 @@ mod money;
 mod open;
 mod plan;
 mod rate;
+mod sites;
 
 pub use capacity::{AboveLast, Capacity, capacities, least_avoided, rate_bounds};
 pub use deaggregation::{Bin, annual_rate_below, deaggregation};
@@ -25,3 +26,7 @@ pub use money::{MoneyError, expected_annual_loss, present_value_factor_years, re
 pub use open::{Gap, OpenPart, RESOLVED, bounds_by_runs, open_parts, open_rate};
 pub use plan::{Choice, Plan, best_plan};
 pub use rate::{AnnualRates, annual_rate, probability_in_years};
+pub use sites::{
+    Amounts, Dependence, LossLevel, SIMULATED_YEARS, SimulatedLosses, SiteLosses, Terms,
+    correlations, reached_once_in, simulate,
+};

@@ -215,6 +215,8 @@ pub fn merge_shards(
         force,
         parquet: true,
         outcomes: plan.outcomes(),
+        // Whoever signs repeats the assessment in one process.
+        ..Job::default()
     };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);

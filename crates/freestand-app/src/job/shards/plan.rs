@@ -309,6 +309,7 @@ fn study_key(study: &Study) -> String {
         read_with: String::new(),
         findings: Vec::new(),
         warnings: Vec::new(),
+        units: Default::default(),
     };
     resume_key(study, &nothing, part_size(study, &nothing))
 }

@@ -35,7 +35,7 @@ fn a_plan_is_in_every_output() {
             restraints: None,
             cells: CellsRequest::default(),
         };
-        let budget = Budget::new(&request, &path).unwrap();
+        let budget = Budget::new(&request, &path, inventory.units).unwrap();
         let out = folder.path().join(amount);
         let job = Job::default();
         let report = assess_telling(

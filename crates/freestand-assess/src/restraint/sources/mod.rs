@@ -88,7 +88,38 @@ pub struct Source {
     pub to_confirm: Vec<&'static str>,
 }
 
+/// What nobody has read in the code.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Unread {
+    /// What it is: a factor with what it stands for, or a clause.
+    pub what: String,
+    /// The value that was used; empty for a clause.
+    pub value: String,
+}
+
 impl Source {
+    /// The factors and clauses that nobody has read.
+    pub fn unread(&self) -> Vec<Unread> {
+        let factor = |factor: &Factor| {
+            let what = match factor.source {
+                FactorSource::Recalled("") => factor.symbol.to_owned(),
+                FactorSource::Recalled(reason) => format!("{}: {reason}", factor.symbol),
+                FactorSource::Given
+                | FactorSource::Assumed(_)
+                | FactorSource::Found(_)
+                | FactorSource::Read(_) => return None,
+            };
+            let value = factor.number();
+            Some(Unread { what, value })
+        };
+        let clause = |what: &&str| Unread {
+            what: (*what).to_owned(),
+            value: String::new(),
+        };
+        let factors = self.factors.iter().filter_map(factor);
+        factors.chain(self.to_confirm.iter().map(clause)).collect()
+    }
+
     /// The formula with its numbers, the factors and what was assumed.
     pub(super) fn note(&self, stated: &str) -> String {
         let mut note = format!(

@@ -64,7 +64,7 @@ impl Tell for CheckList {
         let inventory = &reading.inventory;
         printer.said(&console_lines(&inventory.findings));
         files.print(printer, SCHEMA, &report, &inventory.warnings, || {
-            list_text(&report, inventory, meant.units.unwrap_or(reading.units))
+            list_text(&report, inventory, meant.units.unwrap_or(inventory.units))
         })?;
         Ok(Done {
             criterion_met: !inventory.has_errors(),

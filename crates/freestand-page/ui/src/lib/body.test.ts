@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { noPose, poseAt, reach, readSurface, silhouette, type Surface } from './body';
+import { coarser, noPose, poseAt, reach, readSurface, silhouette, type Surface } from './body';
 import { busy, stills, telling, type History, type Space } from './history';
 
 const HALF = Math.SQRT1_2;
@@ -69,5 +69,26 @@ describe('a body', () => {
     const falls = history('overturned', [0, 0.1, 0.21, 1.05], [0, 1, 2, 3]);
     expect(stills(falls).map((one) => one.moment).slice(-2)).toEqual(['past', 'falls']);
     expect(stills(history('shifted', [0, 0.1, 0.21, 0.15], [0, 1, 2, 3])).at(-1)!.moment).toBe('end');
+  });
+
+  it('is drawn with fewer triangles of the same extent', () => {
+    // A cylinder of 2 x 60 x 40 triangles, 1 m high, with a radius of 0.1 m.
+    const [rings, around] = [40, 60];
+    const places = Float32Array.from({ length: 3 * (rings + 1) * around }, (_, i) => {
+      const [up, turn] = [Math.floor(i / 3 / around) / rings, (2 * Math.PI * (Math.floor(i / 3) % around)) / around];
+      return [0.1 * Math.cos(turn), 0.1 * Math.sin(turn), up - 0.5][i % 3]!;
+    });
+    const triangles = Array.from({ length: rings * around }, (_, i) => {
+      const [a, b] = [i, i - (i % around) + ((i + 1) % around)];
+      return [a, b, b + around, a, b + around, a + around];
+    });
+    const fine: Surface = { places, corners: Uint32Array.from(triangles.flat()) };
+    const coarse = coarser(fine, 1000);
+    expect(coarse.corners.length / 3).toBeLessThanOrEqual(1000);
+    expect(coarse.corners.length / 3).toBeGreaterThan(300);
+    expect(Math.max(...coarse.corners)).toBeLessThan(coarse.places.length / 3);
+    // The middle of a cell is at most a cell from the vertices that it stands for; a cell is at most a tenth of the reach here.
+    expect(Math.abs(reach(coarse) - reach(fine))).toBeLessThan(0.05);
+    expect(coarser(fine, 4800)).toBe(fine);
   });
 });

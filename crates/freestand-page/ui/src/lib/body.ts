@@ -100,3 +100,36 @@ export function reach({ places }: Surface): number {
   for (let i = 0; i < places.length; i += 3) most = Math.max(most, Math.hypot(places[i]!, places[i + 1]!, places[i + 2]!));
   return most;
 }
+
+/** Vertices that stand for those of a cell, and the triangles whose corners are in three cells. */
+function clustered({ places, corners }: Surface, cell_m: number): Surface {
+  const numbers = new Map<string, number>();
+  const sums: number[] = [];
+  const cellOf = new Uint32Array(places.length / 3);
+  for (let vertex = 0; vertex < cellOf.length; vertex += 1) {
+    const point = places.subarray(3 * vertex, 3 * vertex + 3);
+    const key = point.reduce((all, one) => `${all} ${Math.floor(one / cell_m)}`, '');
+    const number = numbers.get(key) ?? numbers.size;
+    if (number === numbers.size) {
+      numbers.set(key, number);
+      sums.push(0, 0, 0, 0);
+    }
+    for (let k = 0; k < 3; k += 1) sums[4 * number + k]! += point[k]!;
+    sums[4 * number + 3]! += 1;
+    cellOf[vertex] = number;
+  }
+  const kept: number[] = [];
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = [cellOf[corners[i]!]!, cellOf[corners[i + 1]!]!, cellOf[corners[i + 2]!]!];
+    if (a !== b && b !== c && c !== a) kept.push(a, b, c);
+  }
+  const middles = Float32Array.from({ length: 3 * numbers.size }, (_, i) => sums[4 * Math.floor(i / 3) + (i % 3)]! / sums[4 * Math.floor(i / 3) + 3]!);
+  return { places: middles, corners: Uint32Array.from(kept) };
+}
+
+/** A surface of at most this many triangles that looks much the same: vertices of a cell become one (Rossignac and Borrel 1993). */
+export function coarser(surface: Surface, most: number): Surface {
+  let coarse = surface;
+  for (let cell_m = reach(surface) / 100; coarse.corners.length > 3 * most; cell_m *= 1.25) coarse = clustered(surface, cell_m);
+  return coarse;
+}

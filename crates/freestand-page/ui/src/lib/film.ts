@@ -3,7 +3,7 @@ import {
   BufferAttribute, BufferGeometry, CircleGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, HemisphereLight, Mesh,
   MeshBasicMaterial, MeshLambertMaterial, PerspectiveCamera, Scene, Vector3, WebGLRenderer,
 } from 'three';
-import { noPose, poseAt, reach, type Surface } from './body';
+import { coarser, noPose, poseAt, reach, type Surface } from './body';
 import { along, floorMoves, valueAt, type History, type Space } from './history';
 import type { Look } from './scene';
 
@@ -11,6 +11,9 @@ const G0_M_S2 = 9.80665;
 const ANGLE_DEG = 28;
 /** Highest and lowest view [rad]: from a little above the floor to straight from above. */
 const [LOW, HIGH] = [0.03, 1.5];
+
+/** So many triangles move smoothly where the processor draws: large surfaces take it longer than a frame. */
+const MOST_IN_MOTION = 3000;
 
 const TIP = new Vector3();
 
@@ -22,7 +25,8 @@ export interface Film {
   size: (width: number, height: number) => void;
   /** Turns the view [rad]. */
   turn: (around: number, up: number) => void;
-  draw: (time: number) => void;
+  /** Draws the body at a time; in motion with fewer triangles, where the processor draws. */
+  draw: (time: number, isMoving: boolean) => void;
   end: () => void;
 }
 
@@ -33,11 +37,28 @@ function arrow(): BufferGeometry {
   return new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3)).setIndex([0, 1, 2, 0, 2, 3, 4, 5, 6]);
 }
 
+function geometryOf({ places, corners }: Surface): BufferGeometry {
+  return new BufferGeometry().setAttribute('position', new BufferAttribute(places, 3)).setIndex(new BufferAttribute(corners, 1));
+}
+
+/** What draws in place of a graphics card: browsers tell it by its name alone. */
+const PROCESSORS = /swiftshader|llvmpipe|softpipe|software|basic render/i;
+
+function hasCard(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const names = context?.getExtension('WEBGL_debug_renderer_info');
+  const name = context?.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER) as string | undefined;
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return !PROCESSORS.test(name ?? '');
+}
+
 /** A film to be shown; null where the browser draws nothing in three dimensions. */
 export function begin(): Film | null {
   let renderer: WebGLRenderer;
+  const isFast = hasCard();
   try {
-    renderer = new WebGLRenderer({ antialias: true });
+    // Smooth edges take the processor longer than all the rest.
+    renderer = new WebGLRenderer({ antialias: isFast });
   } catch {
     return null;
   }
@@ -67,6 +88,10 @@ export function begin(): Film | null {
   let [history, space]: [History | null, Space | null] = [null, null];
   let moves: [number[], number[]] = [[], []];
   let length = 1;
+  let drawn: Surface | null = null;
+  let whole: BufferGeometry = mesh.geometry;
+  /** What moves. */
+  let moving: BufferGeometry = mesh.geometry;
   const film: Film = {
     canvas: renderer.domElement,
     tip: { x: 0, y: 0, isSeen: false },
@@ -75,10 +100,11 @@ export function begin(): Film | null {
       if (!space) return;
       const accel = [one.base_accel_m_s2, space.base_accel_y_m_s2] as const;
       moves = accel.map((base_accel_m_s2) => floorMoves({ base_time_s: one.base_time_s, base_accel_m_s2 })) as [number[], number[]];
-      if (mesh.geometry.getAttribute('position')?.array !== surface.places) {
-        mesh.geometry.dispose();
-        mesh.geometry = new BufferGeometry().setAttribute('position', new BufferAttribute(surface.places, 3)).setIndex(new BufferAttribute(surface.corners, 1));
-        size = reach(surface);
+      if (drawn !== surface) {
+        whole.dispose();
+        moving.dispose();
+        [drawn, whole, size] = [surface, geometryOf(surface), reach(surface)];
+        moving = isFast ? whole : geometryOf(coarser(surface, MOST_IN_MOTION));
       }
       mesh.scale.set(...space.scale_ratio);
       mesh.position.set(...space.shift_m);
@@ -112,8 +138,9 @@ export function begin(): Film | null {
       around += by;
       up = Math.max(LOW, Math.min(HIGH, up + upward));
     },
-    draw(time) {
+    draw(time, isMoving) {
       if (!history || !space) return;
+      mesh.geometry = isMoving ? moving : whole;
       poseAt(history, space, time, pose);
       body.position.set(...pose.place);
       body.quaternion.set(pose.turn[1], pose.turn[2], pose.turn[3], pose.turn[0]);
@@ -144,7 +171,8 @@ export function begin(): Film | null {
       film.tip.isSeen = weakest.visible && Math.abs(TIP.x) < 0.95 && Math.abs(TIP.y) < 0.95;
     },
     end() {
-      mesh.geometry.dispose();
+      whole.dispose();
+      moving.dispose();
       renderer.dispose();
       renderer.forceContextLoss();
     },

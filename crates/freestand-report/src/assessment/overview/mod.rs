@@ -1,9 +1,10 @@
 //! The counts in the summary of an assessment, made row by row in bounded memory; shared by all
 //! outputs with a summary.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use freestand_assess::result::{Assessment, Criterion, Decision};
+use freestand_inventory::library::Confidence;
 use freestand_inventory::{Item, Rating};
 use freestand_study::result::Ranked;
 
@@ -119,7 +120,7 @@ pub(super) struct Overview {
     pub without_tolerance: usize,
     /// Objects that are left as they are, assessed for falling alone.
     pub only_falling: usize,
-    /// Objects without a response: geometry or level is missing, or every history failed.
+    /// Free objects without a response: geometry or level is missing, or every history failed.
     pub without_response: usize,
     /// Objects with a history that failed, but not all of them.
     pub with_failed_motions: usize,
@@ -131,10 +132,15 @@ pub(super) struct Overview {
     pub tasks: BTreeMap<usize, Task>,
     /// Objects for which something has to be done.
     pub to_do: usize,
+    /// Values quoted from memory on which what has to be done rests, or which are shown; at most [`MAX_RECALLED`].
+    pub recalled: BTreeSet<String>,
     floors: BTreeMap<FloorKey, FloorCounts>,
     others: Option<FloorCounts>,
     most_urgent: usize,
 }
+
+/// Values quoted from memory that are kept by name.
+const MAX_RECALLED: usize = 200;
 
 /// Tasks in the work list of the report; worklist.csv has all.
 const MAX_TASKS: usize = 1_000;
@@ -159,6 +165,7 @@ impl Overview {
             urgent: BTreeMap::new(),
             tasks: BTreeMap::new(),
             to_do: 0,
+            recalled: BTreeSet::new(),
             floors: BTreeMap::new(),
             others: None,
             most_urgent,
@@ -178,7 +185,8 @@ impl Overview {
         }
         self.without_tolerance += usize::from(found.capacity.is_none() && item.tolerance.is_none());
         self.only_falling += usize::from(found.is_left_for_falling_alone());
-        self.without_response += usize::from(found.response.is_none());
+        let is_free = item.anchored != Some(true);
+        self.without_response += usize::from(is_free && found.response.is_none());
         self.with_failed_motions +=
             usize::from(found.response.is_some() && found.has_failed_histories());
         let rated = [
@@ -190,8 +198,26 @@ impl Overview {
             consequence.ratings[rating_index(rating)].add(decision, item.quantity);
         }
         self.add_floor(line, decision);
+        self.add_recalled(line.item, found);
         if rank <= self.most_urgent {
             self.urgent.insert(rank, urgent(line, rank, found));
+        }
+    }
+
+    /// The tolerance of an object and the force of its restraint, where they are quoted from memory.
+    fn add_recalled(&mut self, item: &Item, found: &Assessment) {
+        let tolerance = item.tolerance.as_ref();
+        let tolerance = tolerance.filter(|one| one.confidence == Confidence::Recalled);
+        let tolerance = tolerance.map(|one| format!("tolerance: {}", one.source));
+        let force = found.design_force();
+        let of_force = force.into_iter().flat_map(|force| {
+            let what = force.recalled.iter();
+            what.map(|what| format!("{}: {what}", force.source))
+        });
+        for one in tolerance.into_iter().chain(of_force) {
+            if self.recalled.len() < MAX_RECALLED {
+                self.recalled.insert(one);
+            }
         }
     }
 

@@ -6,31 +6,40 @@ mod equations;
 mod page;
 mod summary;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use freestand_input::problem::Problem;
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{CLOSING, escape, opening};
+use freestand_risk::budget::{BudgetPlan, PlanRow};
 
 use super::overview::Overview;
 use super::table::Line;
 use super::{Head, Wanted};
+use crate::signature::SIGNATURE_CSS;
 
 /// The file's name.
 pub(super) const REPORT_NAME: &str = "report.html";
 
 /// The report as it is written: the pages of the most urgent objects so far.
-pub(super) struct Report {
+pub(super) struct Report<'p> {
     max_pages: usize,
+    /// The options of the plan for each object, by its id.
+    options: HashMap<&'p str, Vec<&'p PlanRow>>,
     pages: BTreeMap<usize, String>,
 }
 
-impl Report {
+impl<'p> Report<'p> {
     /// Without a page yet; at most `max_pages` objects get one.
-    pub(super) fn new(max_pages: usize) -> Self {
+    pub(super) fn new(max_pages: usize, plan: Option<&'p BudgetPlan>) -> Self {
+        let mut options: HashMap<&str, Vec<&PlanRow>> = HashMap::new();
+        for row in plan.into_iter().flat_map(|plan| &plan.rows) {
+            options.entry(&row.id).or_default().push(row);
+        }
         Self {
             max_pages,
+            options,
             pages: BTreeMap::new(),
         }
     }
@@ -40,8 +49,10 @@ impl Report {
         if let Some((rank, found)) = line.found
             && rank <= self.max_pages
         {
+            let options = self.options.get(line.item.id.as_str());
+            let options = options.map_or(&[][..], Vec::as_slice);
             self.pages
-                .insert(rank, page::page(inventory, line.item, rank, found));
+                .insert(rank, page::page(inventory, line.item, rank, found, options));
         }
     }
 
@@ -58,7 +69,8 @@ impl Report {
             "Assessment of an inventory under an earthquake · freestand {}",
             env!("CARGO_PKG_VERSION")
         );
-        file.write(opening(TITLE, &subtitle, CSS).as_bytes())?;
+        let css = format!("{SIGNATURE_CSS}{CSS}");
+        file.write(opening(TITLE, &subtitle, &css).as_bytes())?;
         file.write(summary::summary(head, overview, self.max_pages, wanted).as_bytes())?;
         for page in self.pages.values() {
             file.write(page.as_bytes())?;

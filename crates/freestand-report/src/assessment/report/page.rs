@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use crate::assessment::compared::{comparison, tolerance};
 use crate::assessment::overview::place;
+use crate::assessment::plan::options_html;
 use crate::assessment::reasons::{self, softer_pad};
 use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
 use freestand_assess::result::{
@@ -16,6 +17,7 @@ use freestand_inventory::{Inventory, Item};
 use freestand_output::html::{
     Cell, classed_table, figure, heading, markup, paragraph, table, words as text,
 };
+use freestand_risk::budget::PlanRow;
 use freestand_study::cushion::cushion_words;
 
 use super::drawing::sketch;
@@ -24,7 +26,13 @@ use super::summary::{badge, kilonewtons};
 use super::{anchor, name, words};
 
 /// The page of one object.
-pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Assessment) -> String {
+pub(super) fn page(
+    inventory: &Inventory,
+    item: &Item,
+    rank: usize,
+    found: &Assessment,
+    options: &[&PlanRow],
+) -> String {
     let mut html = format!("<section class=\"object\" id=\"{}\">\n", anchor(rank));
     let _ = writeln!(
         html,
@@ -47,6 +55,7 @@ pub(super) fn page(inventory: &Inventory, item: &Item, rank: usize, found: &Asse
     html.push_str("</div>\n");
     html.push_str(&response(found));
     html.push_str(&what_to_do(found));
+    html.push_str(&options_html(options));
     html.push_str(&notes(item, found));
     html.push_str("<details>\n<summary>How it was calculated</summary>\n");
     html.push_str(&calculation(inventory, item, found));
@@ -507,6 +516,14 @@ fn what_to_do(found: &Assessment) -> String {
     html
 }
 
+/// The clause of a force, and whether something of it is quoted from memory.
+fn by(force: &RestraintForce) -> String {
+    match force.recalled.is_empty() {
+        true => force.source.clone(),
+        false => format!("{} (confidence: recalled)", force.source),
+    }
+}
+
 /// Forces of a restraint, a row for each source; nothing where there are none.
 fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
     let tension = |force_n: f64| {
@@ -518,7 +535,7 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
     };
     let row = |force: &RestraintForce| {
         vec![
-            markup(name(&force.source), ""),
+            markup(name(&by(force)), ""),
             figure(kilonewtons(force.force_n)),
             figure(number(force.force_ratio, 3)),
             figure(tension(force.anchor_tension_n)),
@@ -736,6 +753,7 @@ mod tests {
             &item,
             3,
             &crate::assessment::fixture::unknown(&item),
+            &[],
         );
         for said in [
             "NO VERDICT",

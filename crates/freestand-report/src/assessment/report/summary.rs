@@ -7,16 +7,19 @@ use crate::assessment::Head;
 use crate::assessment::Wanted;
 use crate::assessment::floors::{FloorKey, floor_words};
 use crate::assessment::head::RULE;
+use crate::assessment::orders;
 use crate::assessment::overview::{Counts, Overview, RATINGS, Urgent};
 use crate::assessment::plan::plan_html;
 use crate::assessment::since::since_html;
 use crate::assessment::words::{HOW_TO_READ, advice, label, ranked, sign};
 use crate::assessment::worklist::{Task, sort_floors};
+use crate::signature::{Signing, signature};
 use freestand_assess::result::{Criterion, Decision};
 use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{
     Cell, figure, heading, list, markup, paragraph, properties, section, table, words as text,
 };
+use freestand_risk::budget::BudgetPlan;
 
 use super::drawing::stacked_bar;
 use super::{anchor, name, words};
@@ -38,16 +41,20 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
             paragraph(&partial)
         );
     }
-    html.push_str(&one_page(head, overview, pages));
+    html.push_str(&one_page(head, overview, pages, wanted));
     let facts: Vec<(&str, String)> = head
         .facts
         .iter()
         .map(|(name, value)| (name.as_str(), value.clone()))
         .collect();
     let work = floors(overview, head.is_elastic) + &work_list(overview, pages);
-    let planned = wanted
-        .plan
-        .map(|plan| ("plan", "The plan within the budget", plan_html(plan)));
+    let planned = wanted.plan.map(|plan| {
+        (
+            "plan",
+            "The plan within the budget",
+            plan_html(plan, &orders::links(plan)),
+        )
+    });
     let changed = wanted
         .since
         .map(|since| ("since", "What has changed", since_html(since)));
@@ -86,7 +93,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
 const TEN: usize = 10;
 
 /// What a manager needs, on one printed sheet: where, how many, what first, what was assumed.
-fn one_page(head: &Head, overview: &Overview, pages: usize) -> String {
+fn one_page(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> String {
     let mut html = String::from("<section id=\"one-page\">\n");
     html.push_str(&tiles(overview));
     let place: Vec<(&str, String)> = head
@@ -100,7 +107,11 @@ fn one_page(head: &Head, overview: &Overview, pages: usize) -> String {
     html.push_str(&paragraph(&brackets(head)));
     html.push_str(&heading("What was assumed"));
     html.push_str(&list(&head.most_important));
-    html.push_str(&title_block(head));
+    html.push_str(&title_block(
+        head,
+        &recalled(head, overview, wanted),
+        wanted.signing,
+    ));
     html.push_str("</section>\n");
     html
 }
@@ -114,20 +125,35 @@ fn brackets(head: &Head) -> String {
     )
 }
 
-/// Date, preparer, revision and signature; what is not stated is a line to fill in.
-fn title_block(head: &Head) -> String {
+/// The values quoted from memory on which the report rests.
+fn recalled(head: &Head, overview: &Overview, wanted: Wanted) -> Vec<String> {
+    let planned = wanted.plan.into_iter().flat_map(BudgetPlan::planned);
+    let mut found = overview.recalled.clone();
+    found.extend(orders::recalled(planned));
+    found.extend(head.recalled_place.iter().cloned());
+    found.into_iter().collect()
+}
+
+/// Date, preparer, revision and signature; what is not stated is a line to fill in. A draft has no signature.
+fn title_block(head: &Head, recalled: &[String], signing: Signing) -> String {
     let field = |label: &str, value: Option<&String>| {
         let value = value.map_or_else(String::new, |value| name(value));
         format!("<div><b>{value}</b><span>{label}</span></div>")
     };
     let title = &head.title;
-    format!(
+    let is_draft = !recalled.is_empty() && !signing.allows_recalled;
+    let fields = format!(
         "<div class=\"title-block\">\n{}{}{}{}</div>\n",
         field("Date", title.date.as_ref()),
         field("Prepared by", title.preparer.as_ref()),
         field("Revision", title.revision.as_ref()),
-        field("Signature", None)
-    )
+        match is_draft {
+            true => String::new(),
+            false => field("Signature", None),
+        }
+    );
+    let below = signature("", recalled, signing);
+    fields + &below
 }
 
 /// The box by which a reader chooses whether the cards of the objects are printed.

@@ -10,6 +10,9 @@ const ALONE: Wanted = Wanted {
     pages: 200,
     plan: None,
     since: None,
+    signing: crate::signature::Signing {
+        allows_recalled: false,
+    },
 };
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {

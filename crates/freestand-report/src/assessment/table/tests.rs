@@ -12,6 +12,9 @@ const CSV_ALONE: Wanted = Wanted {
     pages: 0,
     plan: None,
     since: None,
+    signing: crate::signature::Signing {
+        allows_recalled: false,
+    },
 };
 
 fn table(inventory: &Inventory, assessed: usize) -> (Vec<String>, Vec<Vec<String>>) {

@@ -112,6 +112,7 @@ impl Book {
                 .push_worksheet(summary::summary(head, overview, styles)?);
             if let Some(plan) = plan {
                 self.workbook.push_worksheet(summary::plan(plan, styles)?);
+                self.workbook.push_worksheet(summary::parts(plan, styles)?);
             }
             for sheet in self.objects.finish()? {
                 self.workbook.push_worksheet(sheet);

@@ -6,8 +6,10 @@ use rust_xlsxwriter::{ColNum, Format, RowNum, Worksheet, XlsxError};
 
 use crate::assessment::Head;
 use crate::assessment::head::RULE;
+use crate::assessment::orders::{part_cells, part_headings};
 use crate::assessment::overview::{Counts, Overview, RATINGS};
-use crate::assessment::plan::{SheetCell, assumptions, sentences, sheet_headings, sheet_rows};
+use crate::assessment::plan::{assumptions, sentences, sheet_headings, sheet_rows};
+use crate::assessment::sheet_cell::SheetCell;
 use crate::assessment::sources::Sources;
 use crate::assessment::table::{COLUMNS, Kind};
 use crate::assessment::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
@@ -75,27 +77,49 @@ pub(super) fn plan(plan: &BudgetPlan, styles: &Styles) -> Result<Worksheet, Xlsx
     sheet.set_landscape();
     sheet.set_print_fit_to_pages(1, 0);
     sheet.set_freeze_panes(1, 0)?;
-    for (column, (name, width)) in (0..).zip(sheet_headings(plan)) {
-        sheet.set_column_width(column, width)?;
-        put_text(&mut sheet, (0, column), &name, &styles.header)?;
-    }
-    let mut next = 1;
-    for row in sheet_rows(plan) {
-        for (column, cell) in (0..).zip(row) {
-            let at = (next, column);
-            match cell {
-                SheetCell::Text(text) => put_text(&mut sheet, at, &text, &styles.text)?,
-                SheetCell::Number(value) => put_number(&mut sheet, at, value, &styles.count)?,
-                SheetCell::Share(value) => put_number(&mut sheet, at, value, &styles.percent)?,
-            }
-        }
-        next += 1;
-    }
+    let mut next = put_rows(&mut sheet, sheet_headings(plan), sheet_rows(plan), styles)?;
     for said in sentences(plan).iter().chain(&assumptions(plan)) {
         next += 1;
         put_text(&mut sheet, (next, 0), said, &styles.text)?;
     }
     Ok(sheet)
+}
+
+/// The parts of the plan, with their sum.
+pub(super) fn parts(plan: &BudgetPlan, styles: &Styles) -> Result<Worksheet, XlsxError> {
+    let mut sheet = Worksheet::new();
+    sheet.set_name("Parts")?;
+    sheet.set_landscape();
+    sheet.set_print_fit_to_pages(1, 0);
+    sheet.set_freeze_panes(1, 0)?;
+    put_rows(&mut sheet, part_headings(plan), part_cells(plan), styles)?;
+    Ok(sheet)
+}
+
+/// Headings with the widths of their columns, and the rows below them; the next free row.
+fn put_rows(
+    sheet: &mut Worksheet,
+    headings: Vec<(String, f64)>,
+    rows: impl IntoIterator<Item = Vec<SheetCell>>,
+    styles: &Styles,
+) -> Result<u32, XlsxError> {
+    for (column, (name, width)) in (0..).zip(headings) {
+        sheet.set_column_width(column, width)?;
+        put_text(sheet, (0, column), &name, &styles.header)?;
+    }
+    let mut next = 1;
+    for row in rows {
+        for (column, cell) in (0..).zip(row) {
+            let at = (next, column);
+            match cell {
+                SheetCell::Text(text) => put_text(sheet, at, &text, &styles.text)?,
+                SheetCell::Number(value) => put_number(sheet, at, value, &styles.count)?,
+                SheetCell::Share(value) => put_number(sheet, at, value, &styles.percent)?,
+            }
+        }
+        next += 1;
+    }
+    Ok(next)
 }
 
 /// The meanings of the columns.

@@ -15,6 +15,9 @@ const ALONE: Wanted = Wanted {
     pages: 0,
     plan: None,
     since: None,
+    signing: crate::signature::Signing {
+        allows_recalled: false,
+    },
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {

@@ -1,0 +1,420 @@
+//! Work orders: what whoever fits the restraints of a plan does in one room, to print and to sign; and the parts of
+//! all rooms.
+
+mod drawing;
+mod parts;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use freestand_assess::restraint::anchors::{bracket_at, of_each_anchor};
+use freestand_input::problem::Problem;
+use freestand_input::quantity::UnitSystem;
+use freestand_input::words::{counted, number};
+use freestand_inventory::library::{Confidence, RestraintKind};
+use freestand_output::folder::OutputFolder;
+use freestand_output::html::{
+    CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, markup, opening, paragraph, properties,
+    table, words,
+};
+use freestand_output::paths::safe_stem;
+use freestand_risk::budget::{BudgetPlan, PlanRow};
+use freestand_study::study::TitleBlock;
+
+use super::words::amount;
+use crate::signature::{SIGNATURE_CSS, Signing, signature};
+
+pub use parts::{PARTS_NAME, PARTS_PAGE};
+pub(super) use parts::{part_cells, part_headings};
+
+/// The folder of the orders.
+const FOLDER: &str = "orders";
+
+/// The style of an order, added to that of a one-page report.
+const CSS: &str = "\
+.work { display: flex; gap: 1.2rem; align-items: flex-start; flex-wrap: wrap; }
+.work > svg { flex: none; width: 24rem; max-width: 100%; height: auto; }
+.work > div { flex: 1 1 20rem; min-width: 0; }
+.object { border-top: 2px solid #1a1a1a; margin-top: 1.4rem; break-inside: avoid; }
+.object h2 { margin: .4rem 0; border: none; padding: 0; overflow-wrap: anywhere; }
+.sign { display: flex; gap: 1.5rem; margin-top: 1.6rem; break-inside: avoid; }
+.sign span { flex: 1; border-top: 1px solid #1a1a1a; padding-top: .2rem; font-size: .85rem; color: #444; }
+.fitted { display: flex; gap: 2rem; margin: .5rem 0 0; }
+@media print {
+  .object { margin-top: .7rem; }
+  .work { flex-wrap: nowrap; gap: .8rem; }
+  .work > svg { width: 76mm; }
+  .work > div { flex-basis: 0; }
+}
+";
+
+/// The work in one room.
+pub(super) struct Order<'p> {
+    /// Its file in the folder of the results.
+    pub(super) file: String,
+    /// The room in words.
+    pub(super) room: String,
+    /// The floor, the building and the site; empty where none is known.
+    place: String,
+    /// What is fitted there.
+    pub(super) rows: Vec<&'p PlanRow>,
+}
+
+/// What an order is for: site, building, floor, and room or another place.
+type Place<'p> = [&'p str; 4];
+
+/// The orders of a plan, by site, building, floor and room. `sites` has the site of each row of the plan.
+pub(super) fn orders<'p>(plan: &'p BudgetPlan, sites: Option<&'p [String]>) -> Vec<Order<'p>> {
+    let mut rooms: BTreeMap<Place<'p>, Vec<&PlanRow>> = BTreeMap::new();
+    for (at, row) in plan.rows.iter().enumerate() {
+        if !row.is_planned() {
+            continue;
+        }
+        let site = sites
+            .and_then(|sites| sites.get(at))
+            .map_or("", String::as_str);
+        let object = &row.object;
+        let room = match object.room.as_str() {
+            "" => object.location.as_str(),
+            room => room,
+        };
+        let place = [site, &object.building, &object.floor, room].map(str::trim);
+        rooms.entry(place).or_default().push(row);
+    }
+    // Names that differ in case alone are one file on some systems.
+    let mut taken = BTreeSet::new();
+    let mut order = |(place, rows): (Place, Vec<&'p PlanRow>)| {
+        let [site, building, floor, room] = place;
+        let given: Vec<&str> = place.into_iter().filter(|part| !part.is_empty()).collect();
+        let stem = match room {
+            "" => safe_stem(&format!("{} no room", given.join(" "))),
+            _ => safe_stem(&given.join(" ")),
+        };
+        let mut name = stem.clone();
+        let mut count = 1;
+        while !taken.insert(name.to_lowercase()) {
+            count += 1;
+            name = format!("{stem}-{count}");
+        }
+        let above: Vec<&str> = [site, building, floor]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect();
+        Order {
+            file: format!("{FOLDER}/{name}.html"),
+            room: match room {
+                "" => "no room in the list".to_owned(),
+                room => room.to_owned(),
+            },
+            place: above.join(", "),
+            rows,
+        }
+    };
+    rooms.into_iter().map(&mut order).collect()
+}
+
+/// Writes the orders, and the parts of all of them as a page and as a table.
+///
+/// # Errors
+/// A full disk.
+pub(super) fn write_orders(
+    folder: &OutputFolder,
+    plan: &BudgetPlan,
+    sites: Option<&[String]>,
+    title: &TitleBlock,
+    signing: Signing,
+) -> Result<(), Problem> {
+    let orders = orders(plan, sites);
+    for order in &orders {
+        folder.write(&order.file, page(plan, order, title, signing).as_bytes())?;
+    }
+    folder.write(PARTS_NAME, parts::csv(plan)?.as_ref())?;
+    folder.write(PARTS_PAGE, parts::page(plan, &orders).as_bytes())
+}
+
+/// Links to the orders and to the parts, for a page in the folder of the results.
+pub(super) fn links(plan: &BudgetPlan) -> String {
+    let orders = orders(plan, None);
+    if orders.is_empty() {
+        return String::new();
+    }
+    let parts = format!(
+        "<p>The parts of all rooms: <a href=\"{PARTS_PAGE}\">{PARTS_PAGE}</a>, {PARTS_NAME}.</p>\n"
+    );
+    heading("Work orders, one for each room") + &parts + &rooms(plan, &orders)
+}
+
+/// A row for each room, with a link to its order.
+fn rooms(plan: &BudgetPlan, orders: &[Order]) -> String {
+    let headings = vec![
+        words("room"),
+        words("where"),
+        figure("objects"),
+        figure("work"),
+        figure(format!("cost ({})", plan.currency)),
+    ];
+    let row = |order: &Order| {
+        let link = format!(
+            "<a href=\"{}\">{}</a>",
+            escape(&order.file),
+            escape(&order.room)
+        );
+        vec![
+            markup(link, ""),
+            words(&order.place),
+            figure(pieces(&order.rows).to_string()),
+            figure(hours(minutes(&order.rows))),
+            figure(range(cost(&order.rows))),
+        ]
+    };
+    let rows: Vec<Vec<Cell>> = orders.iter().map(row).collect();
+    table("", &[headings], &rows)
+}
+
+fn pieces(rows: &[&PlanRow]) -> u32 {
+    rows.iter()
+        .fold(0, |sum, row| sum.saturating_add(row.quantity))
+}
+
+fn minutes(rows: &[&PlanRow]) -> f64 {
+    rows.iter()
+        .map(|row| f64::from(row.quantity) * row.fitting.minutes)
+        .fold(0.0, |sum, one| sum + one)
+}
+
+/// The low and the high end of what the work of these rows costs, with its parts.
+fn cost(rows: &[&PlanRow]) -> [f64; 2] {
+    rows.iter().fold([0.0; 2], |[low, high], row| {
+        [low + row.cost[0], high + row.cost[2]]
+    })
+}
+
+/// `156–269`.
+fn range([low, high]: [f64; 2]) -> String {
+    match (amount(low), amount(high)) {
+        (low, high) if low == high => low,
+        (low, high) => format!("{low}–{high}"),
+    }
+}
+
+/// `45 min`, `2.5 h`.
+fn hours(minutes: f64) -> String {
+    if minutes < 120.0 {
+        format!("{} min", number(minutes, 3))
+    } else {
+        format!("{} h", number(minutes / 60.0, 3))
+    }
+}
+
+/// How far a value can be trusted, as a word beside it.
+fn confidence(word: Confidence) -> String {
+    format!("confidence: {}", word.name())
+}
+
+/// The values of these rows that are quoted from memory.
+pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<String> {
+    let mut found = BTreeSet::new();
+    for row in rows {
+        if row.confidence.0 == Some(Confidence::Recalled) {
+            found.insert(format!("capacity of {}", row.measure));
+        }
+        if row.confidence.1 == Confidence::Recalled {
+            found.insert(format!("price of {}", row.measure));
+        }
+        if let Some(force) = &row.object.force {
+            let what = force.recalled.iter();
+            found.extend(what.map(|what| format!("{}: {what}", force.source)));
+        }
+    }
+    found.into_iter().collect()
+}
+
+/// The page of one room.
+fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) -> String {
+    let heading = format!("Work order: {}", order.room);
+    let mut html = opening(
+        &heading,
+        &order.place,
+        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
+    );
+    let facts = [
+        ("Objects", pieces(&order.rows).to_string()),
+        ("Work", hours(minutes(&order.rows))),
+        (
+            "Cost with parts and work",
+            format!("{} {}", range(cost(&order.rows)), plan.currency),
+        ),
+        ("Date", title.date.clone().unwrap_or_default()),
+        ("Prepared by", title.preparer.clone().unwrap_or_default()),
+        ("Revision", title.revision.clone().unwrap_or_default()),
+    ];
+    html.push_str(&properties("", &facts));
+    for row in &order.rows {
+        html.push_str(&object(plan, row));
+    }
+    html.push_str(&paragraph(
+        "Before you drill: look for pipes and cables, and find out what the wall or the floor is made of. Where the force of \
+         the code and that of the simulated earthquakes differ, the larger one counts. The forces are what the restraint must carry; the wall, the floor and the part of the object that is held need a check of \
+         their own.",
+    ));
+    let lines = "<div class=\"sign\"><span>Fitted by</span><span>Checked by</span><span>Date and signature</span></div>\n";
+    html.push_str(&signature(
+        lines,
+        &recalled(order.rows.iter().copied()),
+        signing,
+    ));
+    html + CLOSING
+}
+
+/// What is fitted to one object.
+fn object(plan: &BudgetPlan, row: &PlanRow) -> String {
+    let many = match row.quantity {
+        1 => String::new(),
+        many => format!(" × {many}"),
+    };
+    let name = format!("{} {}{many}", row.id, row.item);
+    let drawing = drawing::drawing(row).unwrap_or_else(|| {
+        paragraph("There is no drawing: its height or its thickness is not known.")
+    });
+    format!(
+        "<section class=\"object\">\n<h2>{}</h2>\n<div class=\"work\">\n{drawing}<div>\n{}<p class=\"fitted\">\
+         <span>☐ fitted</span><span>Initials: ____________</span></p>\n</div>\n</div>\n</section>\n",
+        escape(name.trim()),
+        properties("", &facts(plan, row)),
+    )
+}
+
+fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
+    let (fitting, units) = (&row.fitting, row.object.units);
+    let currency = &plan.currency;
+    let [low, high] = fitting.price;
+    let many = f64::from(row.quantity);
+    let force = match &row.object.force {
+        Some(force) => {
+            let recalled = match force.recalled.is_empty() {
+                true => String::new(),
+                false => format!(" ({})", confidence(Confidence::Recalled)),
+            };
+            format!(
+                "{} at its centre of gravity, by {}{recalled}",
+                units.force(force.force_n),
+                force.source
+            )
+        }
+        None => UNKNOWN_FORCE.to_owned(),
+    };
+    let work = match fitting.minutes {
+        0.0 => "unknown: the list of restraints does not say how long it takes".to_owned(),
+        each if row.quantity == 1 => hours(each),
+        each => format!("{} each, {} in all", hours(each), hours(many * each)),
+    };
+    vec![
+        (
+            "Restraint",
+            format!("{} ({})", row.measure_item, row.measure),
+        ),
+        ("Quantity", row.quantity.to_string()),
+        (
+            "Mass",
+            row.object
+                .mass_kg
+                .map_or_else(|| "unknown".to_owned(), |mass_kg| units.mass(mass_kg)),
+        ),
+        ("Force", force),
+        ("Each anchor", each_anchor(row)),
+        ("In the simulated earthquakes", simulated(row)),
+        ("Work", work),
+        (
+            "Parts",
+            format!(
+                "{} {currency} each: {} ({})",
+                range([low, high]),
+                fitting.price_source,
+                confidence(row.confidence.1)
+            ),
+        ),
+        (
+            "Parts and work, all",
+            format!("{} {currency}", range([row.cost[0], row.cost[2]])),
+        ),
+        ("Note", fitting.note.clone()),
+    ]
+}
+
+const UNKNOWN_FORCE: &str = "unknown: no force of its restraint was calculated";
+
+/// What each anchor of a restraint carries, in words. The forces are those of the assessment.
+fn each_anchor(row: &PlanRow) -> String {
+    let object = &row.object;
+    let units = object.units;
+    if row.kind == RestraintKind::WheelLock {
+        return "none: nothing is fixed to the building".to_owned();
+    }
+    let Some(force) = &object.force else {
+        return UNKNOWN_FORCE.to_owned();
+    };
+    let Some(count) = row.fitting.anchors else {
+        return "unknown: the list of restraints does not say how many anchors share the force"
+            .to_owned();
+    };
+    if row.kind == RestraintKind::BasePlate {
+        let per_edge = (usize::from(count) / 2).max(1);
+        let each = of_each_anchor(force, per_edge);
+        return format!(
+            "of {per_edge} along each edge, in concrete: tension {}, shear {}",
+            tension(units, each.tension_concrete_n),
+            units.force(each.shear_concrete_n)
+        );
+    }
+    let Some(height_m) = object.height_m else {
+        return "unknown: the height of the object is not known".to_owned();
+    };
+    let at_m = row.fitting.height_ratio * height_m;
+    let all_n = bracket_at(force, at_m);
+    format!(
+        "{} on each of {}, shared alike (assumed): {} in all at {}, outwards or along the wall",
+        units.force(all_n / f64::from(count)),
+        counted(count.into(), "anchor"),
+        units.force(all_n),
+        units.length(at_m)
+    )
+}
+
+fn tension(units: UnitSystem, tension_n: f64) -> String {
+    if tension_n > 0.0 {
+        units.force(tension_n)
+    } else {
+        "none, its weight holds it down".to_owned()
+    }
+}
+
+/// What the restraint carries in the simulated earthquakes, and what it can carry.
+fn simulated(row: &PlanRow) -> String {
+    let units = row.object.units;
+    let force = row.effect.as_ref().and_then(|effect| effect.force_n);
+    let capacity = match (row.capacity_n, row.confidence.0) {
+        (Some(capacity_n), Some(word)) => format!(
+            "median capacity {}: {} ({})",
+            units.force(capacity_n),
+            row.fitting.capacity_source,
+            confidence(word)
+        ),
+        (Some(capacity_n), None) => format!("median capacity {}", units.force(capacity_n)),
+        (None, _) => String::new(),
+    };
+    match force {
+        Some(force_n) => {
+            let capacity = match capacity.as_str() {
+                "" => "its capacity is unknown",
+                known => known,
+            };
+            format!(
+                "at most {} on the restraint in all but the accepted share of them; {capacity}",
+                units.force(force_n)
+            )
+        }
+        None => capacity,
+    }
+}
+
+#[cfg(test)]
+mod tests;

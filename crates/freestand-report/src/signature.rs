@@ -1,0 +1,65 @@
+//! Where somebody signs a sheet: the lines to fill in, or, while the sheet rests on values that nobody has read, that
+//! it is a draft.
+
+use freestand_output::html::escape;
+
+/// How a sheet is signed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Signing {
+    /// Whether whoever signs has confirmed the values that are quoted from memory.
+    pub allows_recalled: bool,
+}
+
+/// Values that a draft names; there may be one for each object of a list.
+const MOST_NAMED: usize = 20;
+
+/// The style of [`signature`].
+pub(crate) const SIGNATURE_CSS: &str = "\
+.draft { border: 2px solid #b00020; padding: .3rem .8rem; margin: 1rem 0; break-inside: avoid; }
+";
+
+/// The lines to sign on, or the notice of a draft where values are recalled and nobody has confirmed them.
+pub(crate) fn signature(lines: &str, recalled: &[String], signing: Signing) -> String {
+    if recalled.is_empty() {
+        return lines.to_owned();
+    }
+    let first: Vec<&str> = recalled
+        .iter()
+        .take(MOST_NAMED)
+        .map(String::as_str)
+        .collect();
+    let more = match recalled.len() - first.len() {
+        0 => String::new(),
+        more => format!("; and {more} more"),
+    };
+    let names = escape(&(first.join("; ") + &more));
+    if signing.allows_recalled {
+        let said =
+            format!("<p>Confidence: recalled, and confirmed by whoever signs: {names}.</p>\n");
+        return said + lines;
+    }
+    format!(
+        "<div class=\"draft\"><p><b>DRAFT</b>: contains values quoted from memory (confidence: recalled): {names}. \
+         Confirm them and pass <code>--allow-recalled</code>: then there is a line to sign on.</p></div>\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sheet_with_recalled_values_is_a_draft_until_they_are_confirmed() {
+        let lines = "<div class=\"sign\"></div>";
+        let recalled = ["R_p: <other>".to_owned()];
+        let draft = signature(lines, &recalled, Signing::default());
+        assert!(draft.contains("DRAFT") && draft.contains("R_p: &lt;other&gt;"));
+        assert!(!draft.contains(lines));
+        let confirmed = Signing {
+            allows_recalled: true,
+        };
+        let signed = signature(lines, &recalled, confirmed);
+        assert!(signed.contains(lines) && signed.contains("recalled") && !signed.contains("DRAFT"));
+        assert_eq!(signature(lines, &[], Signing::default()), lines);
+    }
+}
