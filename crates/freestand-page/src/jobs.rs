@@ -203,13 +203,13 @@ impl Job {
             .map_or(0, |(done, _)| done)
     }
 
-    /// Whether a file may be downloaded.
+    /// Whether a file may be downloaded, by its name as it stands in an address.
     pub(crate) fn file(&self, name: &str) -> Option<PathBuf> {
         let record = self.record.lock().unwrap_or_else(PoisonError::into_inner);
         record
             .files
             .iter()
-            .find(|own| *own == name)
+            .find(|own| in_address(own) == name)
             .map(|own| self.folder.join(own))
     }
 
@@ -387,4 +387,29 @@ fn missing() -> Refusal {
         "there is no such job",
         "start it again",
     )
+}
+
+/// The name of a file as browsers write it in an address: what is no letter of ASCII by its bytes.
+fn in_address(name: &str) -> String {
+    let mut text = String::with_capacity(name.len());
+    for byte in name.bytes() {
+        match byte {
+            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'/' | b'-' | b'_' | b'.' => {
+                text.push(char::from(byte));
+            }
+            _ => text.push_str(&format!("%{byte:02X}")),
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_address;
+
+    #[test]
+    fn a_file_in_a_folder_has_an_address() {
+        assert_eq!(in_address("orders/L-3.html"), "orders/L-3.html");
+        assert_eq!(in_address("Bogotá 2/x.csv"), "Bogot%C3%A1%202/x.csv");
+    }
 }

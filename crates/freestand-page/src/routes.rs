@@ -164,8 +164,11 @@ async fn routed(site: Arc<Site>, request: hyper::Request<Incoming>) -> Result<An
             ))
         }
         (_, ["v1", "jobs", _, "events"]) => Ok(not_allowed("GET")),
-        (&Method::GET, ["v1", "jobs", id, "files", name]) => download(&site, id, name).await,
-        (_, ["v1", "jobs", _, "files", _]) => Ok(not_allowed("GET")),
+        // A file may be in a folder of the results.
+        (&Method::GET, ["v1", "jobs", id, "files", name @ ..]) => {
+            download(&site, id, &name.join("/")).await
+        }
+        (_, ["v1", "jobs", _, "files", ..]) => Ok(not_allowed("GET")),
         _ => Err(unknown()),
     }
 }
@@ -490,8 +493,9 @@ async fn download(site: &Site, id: &str, name: &str) -> Result<Answered, Refusal
         _ => "application/octet-stream",
     };
     let mut answer = response(StatusCode::OK, of_type, Content::Whole(Some(bytes.into())));
-    let disposition = HeaderValue::from_str(&format!("attachment; filename=\"{name}\""))
-        .map_err(|_| missing())?;
+    let own = name.rsplit('/').next().unwrap_or(name);
+    let disposition =
+        HeaderValue::from_str(&format!("attachment; filename=\"{own}\"")).map_err(|_| missing())?;
     answer
         .headers_mut()
         .insert(CONTENT_DISPOSITION, disposition);

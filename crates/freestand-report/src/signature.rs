@@ -10,8 +10,8 @@ pub struct Signing {
     pub allows_recalled: bool,
 }
 
-/// Values that a draft names; there may be one for each object of a list.
-const MOST_NAMED: usize = 20;
+/// Values that a sheet of its own names: all that one object or one room has.
+pub(crate) const ON_A_SHEET: usize = 20;
 
 /// The style of [`signature`].
 pub(crate) const SIGNATURE_CSS: &str = "\
@@ -19,15 +19,12 @@ pub(crate) const SIGNATURE_CSS: &str = "\
 ";
 
 /// The lines to sign on, or the notice of a draft where values are recalled and nobody has confirmed them.
-pub(crate) fn signature(lines: &str, recalled: &[String], signing: Signing) -> String {
+/// The first `most` of them are named.
+pub(crate) fn signature(lines: &str, recalled: &[String], most: usize, signing: Signing) -> String {
     if recalled.is_empty() {
         return lines.to_owned();
     }
-    let first: Vec<&str> = recalled
-        .iter()
-        .take(MOST_NAMED)
-        .map(String::as_str)
-        .collect();
+    let first: Vec<&str> = recalled.iter().take(most).map(String::as_str).collect();
     let more = match recalled.len() - first.len() {
         0 => String::new(),
         more => format!("; and {more} more"),
@@ -52,14 +49,14 @@ mod tests {
     fn a_sheet_with_recalled_values_is_a_draft_until_they_are_confirmed() {
         let lines = "<div class=\"sign\"></div>";
         let recalled = ["R_p: <other>".to_owned()];
-        let draft = signature(lines, &recalled, Signing::default());
+        let draft = signature(lines, &recalled, ON_A_SHEET, Signing::default());
         assert!(draft.contains("DRAFT") && draft.contains("R_p: &lt;other&gt;"));
         assert!(!draft.contains(lines));
         let confirmed = Signing {
             allows_recalled: true,
         };
-        let signed = signature(lines, &recalled, confirmed);
+        let signed = signature(lines, &recalled, ON_A_SHEET, confirmed);
         assert!(signed.contains(lines) && signed.contains("recalled") && !signed.contains("DRAFT"));
-        assert_eq!(signature(lines, &[], Signing::default()), lines);
+        assert_eq!(signature(lines, &[], ON_A_SHEET, Signing::default()), lines);
     }
 }

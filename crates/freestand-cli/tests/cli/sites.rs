@@ -156,6 +156,10 @@ fn sites_are_assessed_together() {
     let written = std::fs::read_to_string(here.join("out/plan.csv")).unwrap();
     assert_eq!(written.lines().count(), 1 + plan.len());
     assert!(here.join("out/Auckland 2/report.html").is_file());
+    // The orders of all sites are beside their folders, and name their site.
+    let parts = std::fs::read_to_string(here.join("out/parts.html")).unwrap();
+    assert!(parts.contains("href=\"orders/Wellington-"), "{parts}");
+    assert!(here.join("out/parts.csv").is_file());
     let counted: Vec<&Value> = told["sites"]
         .as_array()
         .unwrap()

@@ -413,7 +413,7 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
     }
 }
 
-fn forces() -> Vec<RestraintForce> {
+pub(super) fn forces() -> Vec<RestraintForce> {
     let force = |source: &str, force_n: f64, anchor_tension_n: f64| RestraintForce {
         kind: if source.starts_with("ASCE") {
             RestraintKind::OtherCode

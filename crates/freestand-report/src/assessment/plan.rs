@@ -11,7 +11,7 @@ use freestand_output::html::{Cell, figure, heading, list, paragraph, table, word
 use freestand_risk::budget::{BudgetPlan, NotPlanned, PlanRow, Planned, Standing};
 
 use super::sheet_cell::SheetCell;
-use super::words::{amount, probability};
+use super::words::{amount, long, probability};
 use crate::table::table as text_table;
 
 /// The file of the plan.
@@ -59,18 +59,23 @@ pub(super) fn standing_words(standing: Standing) -> &'static str {
     }
 }
 
+/// Objects whose fall may hurt somebody and which the budget does not reach; `None`: it reaches all of them.
+pub(super) fn unfunded(plan: &BudgetPlan) -> Option<String> {
+    let (objects, cost) = plan.unfunded;
+    (objects > 0).then(|| {
+        format!(
+            "Unfunded life safety: {}, {} {}.",
+            counted(objects as usize, "object"),
+            amount(cost),
+            plan.currency
+        )
+    })
+}
+
 /// What is said before the tables.
 pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
     let BudgetPlan { currency, .. } = plan;
-    let mut said = Vec::new();
-    let (objects, cost) = plan.unfunded;
-    if objects > 0 {
-        said.push(format!(
-            "Unfunded life safety: {}, {} {currency}.",
-            counted(objects as usize, "object"),
-            amount(cost)
-        ));
-    }
+    let mut said: Vec<String> = unfunded(plan).into_iter().collect();
     if plan.without_measure > 0 {
         let objects = counted(plan.without_measure as usize, "object");
         said.push(format!(
@@ -343,18 +348,19 @@ pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
     html.push_str(orders);
     let rest: Vec<&PlanRow> = plan.rows.iter().filter(|row| !row.is_planned()).collect();
     if !rest.is_empty() {
-        html.push_str(&heading("Alternatives, and what is not planned"));
+        let mut alternatives = heading("Alternatives, and what is not planned");
         let rows: Vec<Vec<Cell>> = rest
             .iter()
             .take(MOST_ROWS)
             .map(|one| row(one, true))
             .collect();
-        html.push_str(&table("", &[heads(&["why not"])], &rows));
+        alternatives.push_str(&table("", &[heads(&["why not"])], &rows));
         if rest.len() > MOST_ROWS {
-            html.push_str(&paragraph(&format!(
+            alternatives.push_str(&paragraph(&format!(
                 "All of them are in {ALTERNATIVES_NAME}."
             )));
         }
+        html.push_str(&long(alternatives, rest.len(), ALTERNATIVES_NAME));
     }
     html.push_str(&heading("What the plan assumes"));
     html.push_str(&list(&assumptions(plan)));

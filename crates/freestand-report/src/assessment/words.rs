@@ -215,6 +215,21 @@ pub const HOW_TO_READ: [&str; 9] = [
      printed where it is open.",
 ];
 
+/// Rows up to which a list of the report is printed with it: the report of a manager is at most six sheets.
+const SHORT_ROWS: usize = 25;
+
+/// A list of the report with so many rows. A long one is on the screen, and on paper only where that is asked for;
+/// `file` has it too.
+pub(super) fn long(html: String, rows: usize, file: &str) -> String {
+    if rows <= SHORT_ROWS {
+        return html;
+    }
+    format!(
+        "<div class=\"long\">\n{html}</div>\n<p class=\"instead\">A list of {rows} rows is left out on paper: it is in \
+         {file}, and is printed if \u{201c}Print the long lists too\u{201d} is ticked.</p>\n"
+    )
+}
+
 /// An amount of money in whole units, with a narrow space between its thousands.
 pub(super) fn amount(value: f64) -> String {
     let digits = format!("{:.0}", value.abs());

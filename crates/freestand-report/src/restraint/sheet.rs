@@ -20,7 +20,7 @@ use freestand_assess::restraint::Demand;
 use freestand_study::places::Confidence;
 use freestand_study::target::Target;
 
-use crate::signature::{SIGNATURE_CSS, Signing, signature};
+use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -257,7 +257,7 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
         "<div class=\"sign\"><span>{}</span><span>Name</span><span>Date and signature</span></div>\n",
         escape(asset)
     );
-    html + &signature(&lines, &recalled(case), signing)
+    html + &signature(&lines, &recalled(case), ON_A_SHEET, signing)
 }
 
 /// What of a sheet is quoted from memory.

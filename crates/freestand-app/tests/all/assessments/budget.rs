@@ -84,7 +84,19 @@ fn a_plan_is_in_every_output() {
     ] {
         assert!(html.contains(said), "{said}");
     }
-    let (report, _) = planned("20 NZD");
+    // The list has no rooms: what is fitted is in one order, which the report links to. Nobody has read the capacities.
+    let order = std::fs::read_to_string(out.join("orders/no-room.html")).unwrap();
+    assert!(html.contains("href=\"orders/no-room.html\"") && html.contains("DRAFT"));
+    assert!(order.contains("gas Oxygen cylinder × 2") && order.contains("shelf Bookcase"));
+    assert!(order.contains("DRAFT") && !order.contains("Date and signature"));
+    assert!(report.files.iter().any(|name| name == "parts.csv"));
+    let (report, out) = planned("20 NZD");
+    assert!(!out.join("orders").exists());
+    let nothing = std::fs::read_to_string(out.join("parts.html")).unwrap();
+    assert!(nothing.contains("nothing to buy"));
+    let html = std::fs::read_to_string(out.join("report.html")).unwrap();
+    let first = html.find("Unfunded life safety").unwrap();
+    assert!(first < html.find("The first ten").unwrap());
     assert!(report.plan.as_ref().unwrap().is_empty());
     assert_eq!(report.budget.as_ref().unwrap().unfunded.0, 2);
     let text = freestand_report::assessment::assessment_text(&report);

@@ -21,7 +21,7 @@ use freestand_risk::budget::{BudgetPlan, PlanRow};
 use freestand_study::study::TitleBlock;
 
 use super::words::amount;
-use crate::signature::{SIGNATURE_CSS, Signing, signature};
+use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
 
 pub use parts::{PARTS_NAME, PARTS_PAGE};
 pub(super) use parts::{part_cells, part_headings};
@@ -254,6 +254,7 @@ fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) 
     html.push_str(&signature(
         lines,
         &recalled(order.rows.iter().copied()),
+        ON_A_SHEET,
         signing,
     ));
     html + CLOSING
@@ -401,8 +402,14 @@ fn simulated(row: &PlanRow) -> String {
                 "" => "its capacity is unknown",
                 known => known,
             };
+            let beyond = match row.capacity_n {
+                Some(capacity_n) if force_n > capacity_n => {
+                    ". This is more than the median capacity: ask an engineer for a stronger restraint"
+                }
+                _ => "",
+            };
             format!(
-                "at most {} on the restraint in all but the accepted share of them; {capacity}",
+                "at most {} on the restraint in all but the accepted share of them; {capacity}{beyond}",
                 units.force(force_n)
             )
         }

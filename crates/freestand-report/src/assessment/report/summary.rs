@@ -5,14 +5,15 @@ use std::fmt::Write;
 
 use crate::assessment::Head;
 use crate::assessment::Wanted;
+use crate::assessment::csv::CSV_NAME;
 use crate::assessment::floors::{FloorKey, floor_words};
 use crate::assessment::head::RULE;
 use crate::assessment::orders;
 use crate::assessment::overview::{Counts, Overview, RATINGS, Urgent};
-use crate::assessment::plan::plan_html;
+use crate::assessment::plan::{plan_html, unfunded};
 use crate::assessment::since::since_html;
-use crate::assessment::words::{HOW_TO_READ, advice, label, ranked, sign};
-use crate::assessment::worklist::{Task, sort_floors};
+use crate::assessment::words::{HOW_TO_READ, advice, label, long, ranked, sign};
+use crate::assessment::worklist::{Task, WORKLIST_NAME, sort_floors};
 use crate::signature::{Signing, signature};
 use freestand_assess::result::{Criterion, Decision};
 use freestand_input::words::{counted, fixed, number, significant};
@@ -47,7 +48,21 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         .iter()
         .map(|(name, value)| (name.as_str(), value.clone()))
         .collect();
-    let work = floors(overview, head.is_elastic) + &work_list(overview, pages);
+    let tasks = work_list(overview, pages);
+    // A plan has its work orders, room by room.
+    let tasks = match wanted.plan {
+        Some(_) => long(tasks, overview.tasks.len(), WORKLIST_NAME),
+        None => tasks,
+    };
+    let work = floors(overview, head.is_elastic) + &tasks;
+    let recalled = recalled(head, overview, wanted);
+    let unread = (!recalled.is_empty()).then(|| {
+        (
+            "recalled",
+            "Values quoted from memory (confidence: recalled)",
+            list(&recalled),
+        )
+    });
     let planned = wanted.plan.map(|plan| {
         (
             "plan",
@@ -59,7 +74,11 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         .since
         .map(|since| ("since", "What has changed", since_html(since)));
     let rest = [
-        ("first", "The most urgent objects", first(overview, pages)),
+        (
+            "first",
+            "The most urgent objects",
+            long(first(overview, pages), overview.urgent.len(), CSV_NAME),
+        ),
         ("floors", "Work list by floor and room", work),
         (
             "consequences",
@@ -75,8 +94,12 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         ("assumptions", "Assumptions", list(&head.assumptions)),
         ("reading", "How to read this report", list(&HOW_TO_READ)),
     ];
-    let sections: Vec<(&str, &str, String)> =
-        planned.into_iter().chain(changed).chain(rest).collect();
+    let sections: Vec<(&str, &str, String)> = planned
+        .into_iter()
+        .chain(changed)
+        .chain(rest)
+        .chain(unread)
+        .collect();
     html.push_str("<nav aria-label=\"Contents\">\n");
     for (id, heading, _) in &sections {
         let _ = writeln!(html, "<a href=\"#{id}\">{heading}</a>");
@@ -94,8 +117,17 @@ const TEN: usize = 10;
 
 /// What a manager needs, on one printed sheet: where, how many, what first, what was assumed.
 fn one_page(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> String {
-    let mut html = String::from("<section id=\"one-page\">\n");
+    let recalled = recalled(head, overview, wanted);
+    let is_draft = !recalled.is_empty() && !wanted.signing.allows_recalled;
+    let flows = match is_draft || wanted.plan.is_some() {
+        true => " class=\"flows\"",
+        false => "",
+    };
+    let mut html = format!("<section id=\"one-page\"{flows}>\n");
     html.push_str(&tiles(overview));
+    if let Some(said) = wanted.plan.and_then(unfunded) {
+        let _ = writeln!(html, "<div class=\"warn\">{}</div>", paragraph(&said));
+    }
     let place: Vec<(&str, String)> = head
         .place
         .iter()
@@ -107,11 +139,7 @@ fn one_page(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> S
     html.push_str(&paragraph(&brackets(head)));
     html.push_str(&heading("What was assumed"));
     html.push_str(&list(&head.most_important));
-    html.push_str(&title_block(
-        head,
-        &recalled(head, overview, wanted),
-        wanted.signing,
-    ));
+    html.push_str(&title_block(head, &recalled, wanted.signing));
     html.push_str("</section>\n");
     html
 }
@@ -124,6 +152,9 @@ fn brackets(head: &Head) -> String {
         number(100.0 * head.confidence, 3)
     )
 }
+
+/// Recalled values that the first sheet has room for; all are in a section of their own.
+const ON_THE_FIRST_SHEET: usize = 2;
 
 /// The values quoted from memory on which the report rests.
 fn recalled(head: &Head, overview: &Overview, wanted: Wanted) -> Vec<String> {
@@ -152,7 +183,7 @@ fn title_block(head: &Head, recalled: &[String], signing: Signing) -> String {
             false => field("Signature", None),
         }
     );
-    let below = signature("", recalled, signing);
+    let below = signature("", recalled, ON_THE_FIRST_SHEET, signing);
     fields + &below
 }
 
@@ -167,8 +198,8 @@ fn cards_choice(head: &Head, pages: usize) -> String {
         ""
     };
     format!(
-        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects \
-         too</label></p>\n"
+        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-lists\"/> Print the long lists too</label> \
+         <label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects too</label></p>\n"
     )
 }
 

@@ -79,7 +79,7 @@ fn every_object_has_its_page_in_the_order_of_the_list() {
 
 #[test]
 fn it_prints_like_every_report() {
-    let html = html(&inventory((0..12).map(item).collect()), 11, 200);
+    let html = html(&inventory((0..31).map(item).collect()), 30, 200);
     crate::print_check::check_print(&html, TITLE, CSS);
 }
 
