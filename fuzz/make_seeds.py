@@ -408,7 +408,32 @@ def inventory():
     put("inventory_xlsx", "formulas.xml", f'<worksheet><dimension ref="A1:I3"/><sheetData>{odd}</sheetData>{merge}</worksheet>')
 
 
-for write in [peer, columns, smc, japan, taiwan, mexico, cosmos, california, new_zealand, europe, iran, mini_seed, sac]:
+def hazard():
+    engine = "#,,,,\"generated_by='OpenQuake engine 3.26.2', kind='mean', investigation_time=50.0, imt='PGA'\"\n"
+    put("hazard", "curves_openquake.csv", engine + "lon,lat,depth,poe-0.1,poe-0.2,poe-0.4\n10.0,45.0,0.0,0.5,0.1,0.01\n11.0,45.0,0.0,0.4,0.1,0\n")
+    spectra = "lon,lat,0.1~PGA,0.1~SA(0.2),0.02~PGA,0.02~SA(0.2)\n10.0,45.0,0.16,0.33,0.37,0.77\n"
+    put("hazard", "spectra_openquake.csv", engine.replace(", imt='PGA'", "") + spectra)
+    put("hazard", "map_openquake.csv", engine.replace(", imt='PGA'", "") + "lon,lat,PGA-0.1,SA(0.2)-0.1\n10.0,45.0,0.16,0.33\n")
+    put("hazard", "one_map_openquake.csv", "#,,,\"generated_by='OpenQuake engine 3.26.2'\"\nlon,lat,PGA,SA(0.2)\n10.0,45.0,0.16,0.33\n")
+    put("hazard", "aelo.csv", "#,,\"investigation_time=50.0\"\n,poe-0.02,poe-0.1\nPGA,0.5,0.25\nSA(0.2),1,0.5\n")
+    put("hazard", "curves_nshmp.csv", "name,lon,lat,0.005,0.05,0.5\nA Town,10.0,45.0,0.4,0.05,0.001\n")
+    curve = '{"response":[{"metadata":{"imt":{"value":"PGA"},"xvals":[0.1,0.5,1]},"data":[{"component":"Total","yvals":[0.01,0.001,0.0001]}]}]}'
+    put("hazard", "curves_usgs.json", curve)
+    put("hazard", "design_usgs.json", '{"request":{"parameters":{"siteClass":"BC"}},"response":{"data":{"ss":1.5,"s1":0.6}}}')
+    nrml = '<nrml xmlns="http://openquake.org/xmlns/nrml/0.5"><hazardCurves statistics="mean" IMT="PGA" investigationTime="50.0">'
+    nrml += "<IMLs>0.1 0.2 0.4</IMLs><hazardCurve><Point><pos>10.0 45.0</pos></Point><poEs>0.5 0.1 0.01</poEs></hazardCurve></hazardCurves></nrml>"
+    put("hazard", "curves_nrml.xml", nrml)
+    levels = [("PGA", 0.2), ("Ss", 0.5), ("S1", 0.15)]
+    heads = [f"{name}-DD{k}" for name, _ in levels for k in (1, 2, 3, 4)] + [f"PGV-DD{k}" for k in (4, 3, 2, 1)]
+    values = ["%.3f" % (x / k) for _, x in levels for k in (1, 2, 3, 4)] + ["5.0", "7.0", "20.0", "40.0"]
+    put("hazard", "afad.csv", ",".join(["LON", "LAT", *heads]) + "\n" + ",".join(["10.0", "45.0", *values]) + "\n")
+    years = [30, 50, 72, 101, 140, 201, 475, 975, 2475]
+    heads = [f"T{t}{name}" for t in years for name in ("ag", "F0", "Tc")]
+    values = [value for k in range(9) for value in ("%.2f" % (0.3 * (k + 1)), "2.5", "0.3")]
+    put("hazard", "ntc.csv", ",".join(["ID", "LON", "LAT", *heads]) + "\n" + ",".join(["1", "10.0", "45.0", *values]) + "\n")
+
+
+for write in [hazard, peer, columns, smc, japan, taiwan, mexico, cosmos, california, new_zealand, europe, iran, mini_seed, sac]:
     write()
 station_xml()
 ours()

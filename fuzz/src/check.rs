@@ -3,10 +3,64 @@
 
 use freestand_records::formats::{ReadOptions, parse_motions};
 use freestand_records::notes::NoteKind;
+use freestand_records::tables::hazard::{Wanted, read_hazard};
 use std::path::Path;
 
 /// As freestand::motion has it.
 const MAX_SAMPLES: usize = 100_000_000;
+
+/// Reads `bytes` as a hazard file under a name that states the measure of a curve and the return period of a map; whether it is
+/// read.
+///
+/// # Panics
+/// A problem without a file or a remedy; a value or a rate that is no number above 0, or a curve that does not fall.
+pub fn check_hazard(bytes: &[u8]) -> bool {
+    let path = Path::new("/nowhere/PGA/map-475y.csv");
+    // The first site of a file with several.
+    let wanted = Wanted {
+        name: None,
+        at: Some(freestand_records::tables::hazard::Coordinates {
+            latitude_deg: 45.0,
+            longitude_deg: 10.0,
+        }),
+        measure: None,
+    };
+    let site = match read_hazard(bytes, path, &wanted) {
+        Ok(site) => site,
+        Err(problem) => {
+            assert!(
+                problem.path.is_some() && problem.hint.is_some() && !problem.message.is_empty(),
+                "{problem:?}"
+            );
+            return false;
+        }
+    };
+    let is_fine = |value: f64| value > 0.0 && value.is_finite();
+    for spectrum in &site.spectra {
+        assert!(spectrum.years.is_none_or(is_fine), "{spectrum:?}");
+        assert!(
+            spectrum.values.iter().all(|value| is_fine(value.1)),
+            "{spectrum:?}"
+        );
+    }
+    for curve in site.hazard_curves().unwrap_or_default() {
+        assert!(
+            curve
+                .points
+                .iter()
+                .all(|&(x, rate)| is_fine(x) && is_fine(rate)),
+            "{curve:?}"
+        );
+        assert!(
+            curve
+                .points
+                .windows(2)
+                .all(|two| two[0].0 < two[1].0 && two[0].1 > two[1].1),
+            "{curve:?}"
+        );
+    }
+    true
+}
 
 /// Reads `bytes` as a record file, under several options; whether any of them reads it.
 ///

@@ -91,7 +91,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     // It knows no command.
-    ("freestand-page", &[]),
+    ("freestand-page", &["freestand-input"]),
     ("freestand-py", SHELL),
     // The command line starts the page, which is handed a function that runs a request.
     (

@@ -13,7 +13,7 @@ use std::sync::mpsc::{self, RecvTimeoutError};
 use std::time::{Duration, Instant};
 
 use crate::python::{self, Trouble};
-use crate::{arrows, licences, page, risk_tools, source, validate_shock};
+use crate::{arrows, documents, licences, page, risk_tools, source, toolchain, validate_shock};
 
 /// The exit status of a check that cannot run here. The last line of its output is the reason.
 const NOT_RUN: u8 = 3;
@@ -59,6 +59,7 @@ pub const TESTED: [&str; 4] = ["--workspace", "--exclude", "freestand-benches", 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Check {
     Arrows,
+    Toolchain,
     Features,
     Formatting,
     Lints,
@@ -81,6 +82,7 @@ const ROWS: [[&[Check]; 2]; 2] = [
     [
         &[
             Check::Arrows,
+            Check::Toolchain,
             Check::Features,
             Check::Lints,
             Check::Compiling,
@@ -147,8 +149,9 @@ struct Row {
 }
 
 impl Check {
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::Arrows,
+        Self::Toolchain,
         Self::Features,
         Self::Formatting,
         Self::Lints,
@@ -169,6 +172,7 @@ impl Check {
     pub fn name(self) -> &'static str {
         match self {
             Self::Arrows => "arrows",
+            Self::Toolchain => "toolchain",
             Self::Features => "features",
             Self::Formatting => "formatting",
             Self::Lints => "lints",
@@ -189,6 +193,7 @@ impl Check {
     fn title(self) -> &'static str {
         match self {
             Self::Arrows => "arrows between crates and modules",
+            Self::Toolchain => "the version of Rust",
             Self::Features => "tests and Python package share dependencies",
             Self::Formatting => "formatting",
             Self::Lints => "lints, benchmarks included",
@@ -247,13 +252,9 @@ impl Check {
             Self::Tests => tested("--tests", &["--show-output"]),
             // With their output, each would be compiled alone.
             Self::Examples => tested("--doc", &[]),
-            Self::Documentation => {
-                let mut command =
-                    cargo(&["doc", "--workspace", "--locked", "--no-deps", "--quiet"]);
-                command.env("RUSTDOCFLAGS", "-D warnings");
-                command
-            }
             Self::Arrows
+            | Self::Toolchain
+            | Self::Documentation
             | Self::Features
             | Self::PageBuilt
             | Self::PageTypes
@@ -296,12 +297,7 @@ impl Check {
             })
         };
         match self {
-            Self::Formatting
-            | Self::Lints
-            | Self::Compiling
-            | Self::Tests
-            | Self::Examples
-            | Self::Documentation => {
+            Self::Formatting | Self::Lints | Self::Compiling | Self::Tests | Self::Examples => {
                 let status = self
                     .command(root, all)?
                     .status()
@@ -313,6 +309,22 @@ impl Check {
                 };
             }
             Self::Arrows => arrows(root)?,
+            Self::Toolchain => {
+                toolchain::check(root)?;
+                not_here(toolchain::differs(root)?)?;
+            }
+            Self::Documentation => {
+                documents::check(root)?;
+                let status = Command::new("cargo")
+                    .args(["doc", "--workspace", "--locked", "--no-deps", "--quiet"])
+                    .env("RUSTDOCFLAGS", "-D warnings")
+                    .current_dir(root)
+                    .status()
+                    .map_err(|error| format!("cannot run cargo: {error}"))?;
+                if !status.success() {
+                    return Err(Problem::Wrong(status.to_string()));
+                }
+            }
             Self::Features => features(root)?,
             Self::PageBuilt => {
                 not_here(page::missing_node())?;

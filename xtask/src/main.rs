@@ -20,6 +20,7 @@
 mod arrows;
 mod checks;
 mod dist;
+mod documents;
 mod licences;
 mod page;
 mod python;
@@ -27,6 +28,7 @@ mod risk_tools;
 mod same;
 mod site;
 mod source;
+mod toolchain;
 mod tools;
 mod validate_shock;
 

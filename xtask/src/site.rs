@@ -8,11 +8,11 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::python;
 use crate::tools::{ended, run, told};
+use crate::{documents, python};
 
 /// What lists the pages, and how they look.
-const SOURCE: &str = "xtask/site";
+pub const SOURCE: &str = "xtask/site";
 /// Where mdBook is installed: it is needed for this alone.
 const TOOLS: &str = "target/tools";
 const MDBOOK: &str = "0.5.4";
@@ -23,6 +23,7 @@ const LARGEST: u64 = 4_000_000;
 
 /// Builds the site into a folder, and follows every link.
 pub fn site(root: &Path, out: &Path) -> Result<(), String> {
+    documents::check(root)?;
     let book = root.join(TOOLS).join("bin/mdbook");
     if !book.exists() {
         let version = ["install", "mdbook", "--locked", "--version", MDBOOK];
@@ -315,7 +316,7 @@ fn table(schema: &Value) -> String {
 }
 
 /// Where the links of a document lead; what has a space in it is code.
-fn links(text: &str) -> impl Iterator<Item = &str> {
+pub fn links(text: &str) -> impl Iterator<Item = &str> {
     let parts = text.split("](").skip(1);
     parts.filter_map(|part| {
         let target = part.split_once(')')?.0;
@@ -371,7 +372,7 @@ fn faults(built: &Path) -> Result<Vec<String>, String> {
 }
 
 /// A path without `.` and `..`.
-fn normal(path: &Path) -> PathBuf {
+pub fn normal(path: &Path) -> PathBuf {
     let mut parts = PathBuf::new();
     for part in path.components() {
         match part {
@@ -383,7 +384,7 @@ fn normal(path: &Path) -> PathBuf {
     parts
 }
 
-fn files_of(folder: &Path) -> Result<Vec<PathBuf>, String> {
+pub fn files_of(folder: &Path) -> Result<Vec<PathBuf>, String> {
     let files = fs::read_dir(folder).map_err(told(folder))?;
     let mut files: Vec<PathBuf> = files.flatten().map(|file| file.path()).collect();
     files.sort();
@@ -402,6 +403,6 @@ fn copy_folder(from: &Path, to: &Path) -> Result<(), String> {
     Ok(())
 }
 
-fn read(path: &Path) -> Result<String, String> {
+pub fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(told(path))
 }

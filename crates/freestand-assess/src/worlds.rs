@@ -294,6 +294,10 @@ impl<'a> Worlds<'a> {
             spectral_spread,
             intensity_spread,
             component_correlation,
+            hazard_spread: match &study.ground {
+                Ground::Synthetic(SyntheticGround { target, .. }) => target.hazard_spread(),
+                _ => 0.0,
+            },
         };
         let pulses = match &study.ground {
             Ground::Synthetic(SyntheticGround {

@@ -3,6 +3,7 @@
 //! remedy.
 
 pub mod file;
+pub mod file_names;
 pub mod formula;
 pub mod keys;
 pub mod problem;

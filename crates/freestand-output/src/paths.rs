@@ -156,46 +156,6 @@ pub fn refuse_input(inputs: &[PathBuf], output: &Path, hint: &str) -> Result<(),
     .hint(hint))
 }
 
-/// Names that Windows keeps for devices.
-const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
-
-/// Whether Windows keeps this name of a file or a folder for a device, with or without an ending.
-pub fn is_device(name: &str) -> bool {
-    let stem = name.split('.').next().unwrap_or_default().trim_end();
-    let stem = stem.to_ascii_lowercase();
-    let is_numbered = ["com", "lpt"].iter().any(|device| {
-        let number = stem.strip_prefix(device);
-        number.is_some_and(|number| number.len() == 1 && number.chars().all(|c| c.is_ascii_digit()))
-    });
-    is_numbered || DEVICES.contains(&stem.as_str())
-}
-
-/// Longest name of [`safe_stem`], in characters: with a folder before it it fits every file system.
-const MOST_CHARS: usize = 60;
-
-/// A name that a file may have on every system, made from a text: its letters and digits, and a hyphen in place of
-/// everything else; `unnamed` where nothing is left. Different texts may give the same name.
-///
-/// # Example
-/// ```
-/// use freestand_output::paths::safe_stem;
-/// assert_eq!(safe_stem("Level 3, ICU"), "Level-3-ICU");
-/// assert_eq!(safe_stem("../x"), "x");
-/// assert_eq!(safe_stem("CON"), "room-CON");
-/// assert_eq!(safe_stem("//"), "unnamed");
-/// ```
-pub fn safe_stem(text: &str) -> String {
-    let words = text.split(|letter: char| !letter.is_alphanumeric());
-    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
-    let name: String = words.join("-").chars().take(MOST_CHARS).collect();
-    let name = name.trim_end_matches('-');
-    match name {
-        "" => "unnamed".to_owned(),
-        name if is_device(name) => format!("room-{name}"),
-        name => name.to_owned(),
-    }
-}
-
 /// The problem of a path without a file name.
 pub fn no_name(path: &Path) -> Problem {
     Problem::new(ProblemKind::Io, "is not the name of a file or folder")

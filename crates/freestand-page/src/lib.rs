@@ -62,6 +62,8 @@ pub enum Kind {
     Study,
     /// A scan of an object.
     Scan,
+    /// The hazard of a place: curves, spectra or values of a code.
+    Hazard,
     /// None of these.
     Unknown,
 }

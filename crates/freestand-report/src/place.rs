@@ -57,7 +57,7 @@ pub fn place_text(place: &Place) -> String {
     if let Some(km) = place.distance_km {
         let to = match place.hazard {
             PlaceHazard::Ntc2018 { .. } => "to the nearest node",
-            _ => "from these coordinates",
+            _ => "from the place that was asked for",
         };
         rows.push(("distance", format!("{} km {to}", number(km, 3))));
     }

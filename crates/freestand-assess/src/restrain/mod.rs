@@ -759,7 +759,7 @@ fn assumed_hazard(words: &Words, target: &Target) -> Vec<Assumed> {
     }
     if let (None, Some(years)) = (
         words.get("return_period_years"),
-        target.spectrum.return_period_years(),
+        target.return_period_years(),
     ) {
         assumed.push(Assumed::ReturnPeriod(years));
     }

@@ -99,6 +99,8 @@ impl<'a> Wanted<'a> {
 pub struct Restrained {
     /// Free, at each intensity; empty if only that of the study is asked.
     pub free: Vec<Level>,
+    /// Whether it falls free in each world of each of these intensities.
+    pub falls: Vec<Vec<bool>>,
     /// With each measure.
     pub measures: Vec<Result<Effect, NotCalculated>>,
 }
@@ -155,6 +157,7 @@ pub fn restrained<'a>(
                 measures: &wanted.measures,
                 found: Restrained {
                     free: Vec::new(),
+                    falls: Vec::new(),
                     measures: Vec::new(),
                 },
             });
@@ -232,10 +235,11 @@ fn on_floor(
             probability,
         };
         let free: Vec<&Trial> = places.iter().map(|&place| &cases[place].trial).collect();
-        let shares = falls_at(&shaken, &free)?;
-        for (&place, share) in places.iter().zip(shares) {
+        let falls = falls_at(&shaken, &free)?;
+        for (&place, falls) in places.iter().zip(falls) {
             let case = &mut cases[place];
-            case.found.free.push(level(share));
+            case.found.free.push(level(share(&falls)));
+            case.found.falls.push(falls);
             let measures = case.measures.iter().zip(&mut case.found.measures);
             for (measure, effect) in measures {
                 let Ok(effect) = effect else { continue };
@@ -243,8 +247,10 @@ fn on_floor(
                     effect.levels.push(level(effect.overturn.value));
                 } else if *measure == Measure::Locked {
                     let locked = lock(&shaken, case.trial.member);
-                    let share = falls_at(&shaken, &[&locked])?;
-                    effect.levels.extend(share.into_iter().map(level));
+                    let falls = falls_at(&shaken, &[&locked])?;
+                    effect
+                        .levels
+                        .extend(falls.iter().map(|falls| level(share(falls))));
                 }
             }
         }
@@ -273,9 +279,13 @@ fn worlds_of(trial: &Trial, most: u32) -> u32 {
     }
 }
 
-/// The share of worlds in which each object falls, by the model with the larger one.
-fn falls_at(shaken: &Context, trials: &[&Trial]) -> Result<Vec<f64>, Problems> {
-    let mut shares = vec![0.0; trials.len()];
+/// The share of worlds in which an object falls.
+fn share(falls: &[bool]) -> f64 {
+    falls.iter().filter(|falls| **falls).count() as f64 / falls.len().max(1) as f64
+}
+
+/// Whether each object falls in each world, by the model by which it falls in more of them.
+fn falls_at(shaken: &Context, trials: &[&Trial]) -> Result<Vec<Vec<bool>>, Problems> {
     let lives: Vec<Life> = trials
         .iter()
         .map(|trial| Life {
@@ -286,16 +296,22 @@ fn falls_at(shaken: &Context, trials: &[&Trial]) -> Result<Vec<f64>, Problems> {
         .collect();
     let mut lived: Vec<Vec<Lived>> = trials.iter().map(|_| Vec::new()).collect();
     live_again(shaken, &lives, |place, more| lived[place].extend(more))?;
-    for ((share, life), lived) in shares.iter_mut().zip(&lives).zip(lived) {
+    let of = |(life, lived): (&Life, Vec<Lived>)| {
         let by_model = life.trial.models(shaken).map(|model| {
-            let fallen = lived.iter().filter(|one| {
-                answer(&life.trial.subject, one, Question::Falls, model) == Some(Some(true))
-            });
-            fallen.count() as f64 / f64::from(life.worlds)
+            let falls =
+                |one| answer(&life.trial.subject, one, Question::Falls, model) == Some(Some(true));
+            lived.iter().map(falls).collect::<Vec<bool>>()
         });
-        *share = by_model.fold(0.0, f64::max);
-    }
-    Ok(shares)
+        let larger = |most: Vec<bool>, next: Vec<bool>| {
+            if share(&next) > share(&most) {
+                next
+            } else {
+                most
+            }
+        };
+        by_model.reduce(larger).unwrap_or_default()
+    };
+    Ok(lives.iter().zip(lived).map(of).collect())
 }
 
 /// The same object with locked wheels.

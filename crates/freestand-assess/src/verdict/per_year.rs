@@ -118,7 +118,7 @@ fn shake(
 fn return_period_years(context: &Context) -> f64 {
     let target = context.study.ground.code_spectrum();
     target
-        .and_then(|target| target.spectrum.return_period_years())
+        .and_then(|target| target.return_period_years())
         .map_or(RETURN_PERIOD_YEARS, f64::from)
 }
 

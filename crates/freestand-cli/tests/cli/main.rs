@@ -27,6 +27,7 @@ mod ground_sources;
 mod idle;
 mod inventory;
 mod library;
+mod line_ends;
 mod motions;
 mod object;
 mod processing;

@@ -254,6 +254,13 @@ fn documents_are_those_of_the_command_line() {
             json!({"word": ["cabinet"]}),
             none.clone(),
         ),
+        (
+            "place list",
+            json!({"country": "Türkiye", "near": "41.01, 28.97"}),
+            none.clone(),
+        ),
+        ("place show", json!({"name": "Istanbuul"}), none.clone()),
+        ("place show", json!({"name": "41.01, 28.97"}), none.clone()),
         ("validate", json!({}), none.clone()),
         (
             "motion code-spectrum",
@@ -300,6 +307,8 @@ fn documents_are_those_of_the_command_line() {
         for (name, value) in options.as_object().unwrap() {
             match value {
                 Value::Array(all) => _ = line.args(all.iter().map(|one| one.as_str().unwrap())),
+                // It has no flag.
+                Value::String(one) if name == "name" => _ = line.arg(one),
                 value => _ = line.arg(format!("--{name}={}", value.to_string().trim_matches('"'))),
             }
         }

@@ -22,6 +22,79 @@ fn written(folder: &Path) {
     std::fs::write(folder.join("sites.toml"), FILE).unwrap();
 }
 
+/// The losses of all sites: the yearly loss is that of the plan, insurance pays less, and common earthquakes cost most.
+#[test]
+fn sites_lose_together() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let head = "id,item,level_ratio,height,thickness,mass,replacement_cost [NZD],downtime [day],wall_gap\n";
+    for (name, place) in [("a", "shelf,0,2 m,0.3 m"), ("b", "rack,0,2 m,0.35 m")] {
+        let list = format!("{head}1,{place},100 kg,5000,4,300 mm\n2,{place},100 kg,3000,,300 mm\n");
+        std::fs::write(here.join(format!("{name}.csv")), list).unwrap();
+    }
+    let site =
+        |name: &str| format!("place = \"Wellington\"\nstoreys = 6\ninventory = \"{name}.csv\"\n");
+    let file = format!(
+        "[sites.A]\n{}deductible = \"1000 NZD\"\n[sites.B]\n{}[policy]\nlimit = \"9,000 NZD\"\ncorrelation_range = \"10 km\"\n",
+        site("a"),
+        site("b")
+    );
+    std::fs::write(here.join("sites.toml"), &file).unwrap();
+    let asked = [
+        "assess",
+        "--sites",
+        "sites.toml",
+        "--out",
+        "out",
+        "--budget",
+        "5000 NZD",
+    ];
+    let told = document(here, &asked);
+    let losses = &told["losses"];
+    let number = |value: &Value| value.as_f64().unwrap();
+    // One yearly loss: that of each object once, as the plan has it, and that of its site.
+    let mut seen = std::collections::BTreeMap::new();
+    for row in told["plan_alternatives"].as_array().unwrap() {
+        let key = (row["site"].as_str().unwrap(), row["id"].as_str().unwrap());
+        seen.insert(key, number(&row["annual_loss"]));
+    }
+    let expected: f64 = seen.values().sum();
+    assert!(expected > 0.0);
+    assert!((number(&losses["annual_loss"]) / expected - 1.0).abs() < 1e-9);
+    let sites = losses["sites"].as_array().unwrap();
+    assert!(number(&sites[0]["annual_paid"]) < number(&sites[0]["annual_loss"]));
+    assert_eq!(sites[1]["annual_paid"], sites[1]["annual_loss"]);
+    assert!(number(&sites[0]["downtime_days_per_year"]) > 0.0);
+    assert_eq!(losses["correlation_range_km"], 10.0);
+    let row = |dependence: &str, years: u64| {
+        let mut rows = losses["rows"].as_array().unwrap().iter();
+        rows.find(|row| row["dependence"] == dependence && row["return_period_years"] == years)
+            .unwrap()
+    };
+    // All falls together cost 16,000 NZD; independent earthquakes are at one site, which has 8000.
+    assert_eq!(row("common", 1000)["event_loss"], 16_000.0);
+    assert_eq!(row("independent", 1000)["event_loss"], 8_000.0);
+    assert_eq!(row("common", 1000)["event_paid"], 9_000.0);
+    // At one place the correlation is 1.
+    let correlated = number(&row("correlated", 1000)["event_loss"]);
+    assert!(correlated > 8_000.0, "{correlated}");
+    assert!(here.join("out/losses.svg").exists());
+    // What is wrong is said of its table.
+    let wrong = file
+        .replace("1000 NZD", "1000 EUR")
+        .replace("10 km", "ten")
+        .replace("limit", "limits");
+    std::fs::write(here.join("sites.toml"), wrong).unwrap();
+    let message = refused(here, &asked);
+    for part in [
+        "[sites.A]: deductible is in EUR, and the budget in NZD",
+        "[policy]: correlation_range",
+        "[policy]: \"limits\" is not known",
+    ] {
+        assert!(message.contains(part), "{part}: {message}");
+    }
+}
+
 /// Each site has the verdicts of an assessment of it alone, in one table; the plan is over all of them.
 #[test]
 fn sites_are_assessed_together() {

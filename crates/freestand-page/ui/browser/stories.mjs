@@ -39,7 +39,7 @@ let passed = 0;
 
 /** The type of the document that a request asks for. */
 function typeOf({ command, shape, history }) {
-  const types = { 'motion info': 'InfoDocument', 'motion convert': 'ConvertDocument', 'motion spectrum': 'ResponseDocument', 'cushion drop': 'DropDocument' };
+  const types = { 'motion info': 'InfoDocument', 'motion convert': 'ConvertDocument', 'motion spectrum': 'ResponseDocument', 'motion code-spectrum': 'TargetDocument', 'place show': 'PlaceDocument', 'place list': 'PlaceDocument', 'cushion drop': 'DropDocument' };
   if (command === 'object') return history ? 'ObjectDocument' : null;
   if (command === 'spectrum') return shape === 'columns' ? 'SpectrumDocument' : 'FollowedDocument';
   return types[command] ?? null;
@@ -469,6 +469,175 @@ await story('what was not typed is not given, and every default is said beside t
   await picture(page, 'bookcase-on-pads');
 });
 
+/** Spectra of two sites at two return periods, as OpenQuake writes them. */
+const SPECTRA = `#,"kind='mean', investigation_time=1.0"
+lon,lat,0.002105~PGA,0.002105~SA(0.2),0.002105~SA(1.0),0.000404~PGA,0.000404~SA(0.2),0.000404~SA(1.0)
+-78.47,-0.18,0.42,0.98,0.35,0.75,1.7,0.65
+-79.0,-2.9,0.3,0.7,0.25,0.55,1.3,0.5
+`;
+
+/** The program's own answer to the same question in a shell. */
+const told = (...options) => JSON.parse(execFileSync(program, ['object', '--height', '1.8 m', '--thickness', '400 mm', '--floor', 'roof', '--storeys', '30', ...options, '--json', '-q']));
+
+for (const [width, height, colorScheme] of [[1280, 900, 'light'], [390, 844, 'dark']]) {
+  await story(`a place by coordinates, and what is known there, ${width}`, { viewport: { width, height }, colorScheme }, async (page) => {
+    await answered(page);
+    await page.fill('#place', `41°0'36"N 28°58'12"E`);
+    await page.locator('#place').blur();
+    await page.waitForFunction(() => document.querySelector('#answer').textContent.includes('Istanbul'), undefined, PATIENT);
+    await answered(page);
+    assert.equal(await page.textContent('#answer'), told('--place', '41.01, 28.97').answer);
+    const summary = await page.textContent('#found summary');
+    assert.equal(summary, said('hazard.found', { place: 'Istanbul, Türkiye', confidence: 'read, interpolated', away: said('hazard.away', { distance: '1.7 km' }) }));
+    await page.click('#found summary');
+    const facts = await page.textContent('#found dl');
+    for (const one of ['TBDY 2018', 'AFAD', 'ZD', 'assumed', '475 years']) assert.ok(facts.includes(one), `${one}: ${facts}`);
+    await page.click('#units');
+    assert.match(await page.textContent('#found summary'), /, 1\.0 mi away$/);
+    await page.click('#units');
+    // The soils are those of its code.
+    assert.deepEqual(await page.$$eval('#site option', (all) => all.slice(1).map((one) => one.textContent)), ['ZA', 'ZB', 'ZC', 'ZD', 'ZE']);
+    await page.selectOption('#site', 'ZC');
+    await page.fill('#return-period', '2475');
+    await page.locator('#return-period').blur();
+    await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('--return-period 2475'), undefined, PATIENT);
+    await answered(page);
+    assert.equal(await page.textContent('#answer'), told('--place', '41.01, 28.97', '--site', 'ZC', '--return-period', '2475').answer);
+    // Known places in the order of their distance; one is taken.
+    await page.click('#places summary');
+    await page.waitForSelector('#places tbody tr', PATIENT);
+    const rows = await page.$$eval('#places tbody tr', (all) => all.map((one) => one.innerText.split(/\s*\t\s*/)));
+    assert.equal(rows.length, 20);
+    assert.match(rows[0][0].trim(), /^Istanbul, Türkiye/);
+    const away = rows.map((one) => Number.parseFloat(one[1]));
+    assert.deepEqual(away, away.toSorted((a, b) => a - b));
+    await accessible(page, 'a place by coordinates');
+    await fits(page);
+    await picture(page, `place-${width}`);
+    await page.selectOption('#country', 'Greece');
+    await page.click('#places button:has-text("Athens")');
+    assert.equal(await page.inputValue('#place'), 'Athens, Greece');
+    // A soil of another code is gone; a return period is not, and its problem stands under its field.
+    await page.waitForFunction(() => document.querySelector('#site').value === '', undefined, PATIENT);
+    await page.waitForSelector('[data-why=return-period]', PATIENT);
+    await page.fill('#return-period', '');
+    await page.locator('#return-period').blur();
+    await answered(page);
+    assert.equal(await page.textContent('#answer'), told('--place', 'Athens').answer);
+  });
+
+  await story(`a file of hazard is dropped, ${width}`, { viewport: { width, height }, colorScheme }, async (page) => {
+    await answered(page);
+    const path = join(folder, 'hazard_uhs-mean.csv');
+    writeFileSync(path, SPECTRA);
+    await page.setInputFiles('#drop-hazard', path);
+    // Melbourne has no site in the file; a site by coordinates has; then the return period is asked for.
+    await page.waitForSelector('[data-why=place]', PATIENT);
+    assert.match(await page.textContent('[data-why=place]'), /no site at .* nearest/);
+    await page.fill('#place', '-0.2, -78.5');
+    await page.locator('#place').blur();
+    await page.waitForSelector('[data-why=return-period]', PATIENT);
+    const asks = await page.textContent('[data-why=return-period]');
+    assert.ok(asks.includes('475, 2475 years') && asks.includes(said('return-period')) && !asks.includes('--'), asks);
+    await accessible(page, 'a file without its return period');
+    await page.fill('#return-period', '475');
+    await page.locator('#return-period').blur();
+    await answered(page);
+    assert.equal(await page.textContent('#answer'), told('--spectrum', path, '--place', '-0.2, -78.5', '--return-period', '475').answer);
+    const facts = await page.textContent('#found dl');
+    for (const one of ['OpenQuake uniform hazard spectra, mean', '-0.18, -78.47, 4', '475 years']) assert.ok(facts.includes(one), `${one}: ${facts}`);
+    assert.match(await commandOf(page, '#command'), /--spectrum hazard_uhs-mean\.csv/);
+    await accessible(page, 'a file of hazard');
+    await fits(page);
+    await picture(page, `hazard-${width}`);
+    // After a reload it still counts; then the place does again.
+    await page.reload();
+    await answered(page);
+    assert.match(await commandOf(page, '#command'), /--spectrum hazard_uhs-mean\.csv/);
+    await page.click(`#hazard-file button`);
+    await page.fill('#return-period', '');
+    await page.locator('#return-period').blur();
+    await page.waitForFunction(() => document.querySelector('#answer').textContent.includes('Quito'), undefined, PATIENT);
+  });
+}
+
+await story('a wrong name is said under its field, with what may be meant', {}, async (page) => {
+  await answered(page);
+  await page.fill('#place', 'Istanbuul');
+  await page.locator('#place').blur();
+  await page.waitForSelector('[data-why=place]', PATIENT);
+  assert.match(await page.textContent('[data-why=place]'), /"Istanbuul" is not in the table of places.*"Istanbul, Türkiye"/);
+  assert.equal(await page.getAttribute('#place', 'aria-invalid'), 'true');
+  assert.equal(await page.$('#found'), null, 'what was found before is not shown');
+  await accessible(page, 'a wrong name');
+  // Nothing is known there: the places that are nearest, with their distance.
+  await page.fill('#place', '60, 0');
+  await page.locator('#place').blur();
+  await page.waitForFunction(() => document.querySelector('[data-why=place]')?.textContent.includes('60, 0'), undefined, PATIENT);
+  assert.doesNotMatch(await page.textContent('[data-why=place]'), /--|freestand [a-z]/);
+  await page.click('#places summary');
+  await page.waitForSelector('#places tbody tr', PATIENT);
+  assert.match(await page.textContent('#places tbody tr:first-child'), /\d{3,} km/);
+  // The maps say the same of a wrong name, and take coordinates.
+  await page.click('#tab-spectra');
+  await page.fill('#spectra-place', 'Nowhereville');
+  await page.locator('#spectra-place').blur();
+  await page.waitForSelector('#panel-spectra [data-why=place]', PATIENT);
+  await page.fill('#spectra-place', '41.01, 28.97');
+  await page.locator('#spectra-place').blur();
+  await page.waitForSelector('#spectra-found', PATIENT);
+  assert.match(await page.textContent('#spectra-found summary'), /Istanbul/);
+  await page.waitForFunction(() => document.querySelector('#map').dataset.state === 'done', undefined, LONG);
+  assert.match(await commandOf(page, '#panel-spectra'), /^freestand spectrum --place "41\.01, 28\.97"/);
+  await accessible(page, 'maps at coordinates');
+});
+
+await story('a list in a place by coordinates, under a file of hazard and under a peak acceleration', {}, async (page) => {
+  await answered(page);
+  await page.click('#tab-inventory');
+  await page.click('#example');
+  await page.waitForSelector('#inventory-found', PATIENT);
+  await page.fill('#inventory-place', '41.9, 12.5');
+  await page.locator('#inventory-place').blur();
+  await page.waitForFunction(() => document.querySelector('#inventory-found')?.textContent.includes('NTC 2018'), undefined, PATIENT);
+  assert.match(await commandOf(page, '#panel-inventory'), /--place "41\.9, 12\.5"/);
+  // A file of hazard that is dropped with the list is that of the place; a wrong site stands under its field, and nothing is assessed.
+  const path = join(folder, 'hazard_uhs-mean.csv');
+  writeFileSync(path, SPECTRA);
+  await page.setInputFiles('#drop-inventory', path);
+  await page.waitForSelector('#inventory-hazard-file', PATIENT);
+  await page.locator('#inventory-place').focus();
+  await page.fill('#inventory-place', '41.9, 12.6');
+  await page.locator('#inventory-place').blur();
+  await page.waitForSelector('#panel-inventory [data-why=place]', PATIENT);
+  assert.ok(await page.isDisabled('#assess'));
+  await page.fill('#inventory-place', '-0.2, -78.5');
+  await page.locator('#inventory-place').blur();
+  await page.waitForSelector('#panel-inventory [data-why=return-period]', PATIENT);
+  await page.fill('#inventory-return-period', '475');
+  await page.locator('#inventory-return-period').blur();
+  await page.waitForFunction(() => document.querySelector('#panel-inventory code[aria-busy="false"]')?.textContent.includes('--spectrum hazard_uhs-mean.csv'), undefined, PATIENT);
+  assert.match(await commandOf(page, '#panel-inventory'), /--place "-0\.2, -78\.5" --spectrum hazard_uhs-mean\.csv --return-period 475/);
+  await page.waitForSelector('#assess:not([disabled])');
+  await accessible(page, 'a list under a file of hazard');
+  await picture(page, 'list-hazard');
+  await page.click('#assess');
+  await page.waitForFunction((text) => document.querySelector('#ended').textContent.startsWith(text), said('inventory.done').split(':')[0], LONG);
+  assert.equal(await page.$('#assumed-list'), null);
+  // A peak acceleration in their place: the study that the page makes says it.
+  await page.click('#inventory-hazard-file button');
+  for (const name of ['place', 'return-period']) {
+    await page.fill(`#inventory-${name}`, '');
+    await page.locator(`#inventory-${name}`).blur();
+  }
+  await page.fill('#inventory-pga', '0,3');
+  await page.locator('#inventory-pga').blur();
+  await page.waitForFunction(() => document.querySelector('#panel-inventory code[aria-busy="false"]')?.textContent.includes('building.toml'), undefined, PATIENT);
+  await page.setViewportSize({ width: 390, height: 844 });
+  await fits(page);
+  await picture(page, 'list-pga');
+});
+
 await story('sizes as people write them, and a peak ground acceleration', {}, async (page) => {
   await answered(page);
   const asked = questions(page, 'object');
@@ -476,6 +645,12 @@ await story('sizes as people write them, and a peak ground acceleration', {}, as
   await page.fill('#thickness', '450');
   await page.fill('#pga', '0,3');
   await page.locator('#pga').blur();
+  // Both a place and an acceleration are one too many; which of them counts is said, not guessed.
+  await page.waitForSelector('[data-why=place]', PATIENT);
+  const both = await page.textContent('[data-why=place]');
+  for (const word of ['place', 'pga']) assert.ok(both.includes(said(word)), both);
+  await page.fill('#place', '');
+  await page.locator('#place').blur();
   await page.waitForFunction(() => document.querySelector('#command code')?.textContent.includes('--pga'), undefined, PATIENT);
   await answered(page);
   const { height, thickness, pga, place } = asked.at(-1);

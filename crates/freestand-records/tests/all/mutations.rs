@@ -16,9 +16,9 @@ mod check;
 #[allow(unreachable_pub, reason = "other crates use it")]
 mod damage;
 
-use check::check_record;
+use check::{check_hazard, check_record};
 use damage::{Chance, mutations, split_lines};
-use freestand_records::formats::{ReadOptions, parse_motions};
+use freestand_records::formats::{Component, ReadOptions, parse_motions};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 
@@ -88,6 +88,7 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
         let name = family.file_name().unwrap().to_str().unwrap().to_owned();
         // These are no records.
         let others = [
+            "hazard",
             "inventory_csv",
             "inventory_xlsx",
             "processing",
@@ -201,6 +202,27 @@ fn damaged_descriptions_are_refused_or_read_but_never_break() {
     assert!(count > mutations.len() / 10 && count < mutations.len());
 }
 
+/// Hazard files of every format, damaged as records are.
+#[test]
+fn damaged_hazard_files_are_refused_or_read_but_never_break() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/hazard");
+    let mut names: Vec<PathBuf> = std::fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .collect();
+    names.sort();
+    assert_eq!(names.len(), 11);
+    let mut chance = Chance(1);
+    for path in names {
+        let bytes = std::fs::read(&path).unwrap();
+        assert!(check_hazard(&bytes), "{} is not read", path.display());
+        let mutations = mutations(&bytes, &mut chance);
+        let read = mutations.iter().filter(|one| check_hazard(one)).count();
+        // Some damage cannot be told from another value, and some can.
+        assert!(0 < read && read < mutations.len(), "{}", path.display());
+    }
+}
+
 /// Every fifth mutation: some of each kind.
 #[test]
 #[ignore = "seconds: hundreds of damaged files"]
@@ -261,4 +283,52 @@ fn damage_all(step: usize) {
     }
     println!("{total} mutations in all");
     assert!(total > 5000 / step && families.len() == 18);
+}
+
+/// A record that went through Windows has other ends of lines, and the same samples.
+#[test]
+fn the_ends_of_lines_do_not_matter() {
+    let mut count = 0;
+    for (family, path, bytes) in seeds() {
+        let Ok(text) = String::from_utf8(bytes) else {
+            continue;
+        };
+        if text.contains('\0') {
+            continue;
+        }
+        let line_feeds = text.replace("\r\n", "\n");
+        let told = ReadOptions {
+            unit: Some("g".to_owned()),
+            dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let resampled = ReadOptions {
+            uneven_dt_s: Some(0.01),
+            ..ReadOptions::default()
+        };
+        let read = |text: &str| {
+            [&ReadOptions::default(), &told, &resampled].map(|options| {
+                parse_motions(
+                    text.as_bytes().to_vec(),
+                    Path::new("/nowhere/record.dat"),
+                    options,
+                )
+                .map(|file| {
+                    let samples = |one: &Component| one.motion.accel_m_s2().to_vec();
+                    let components: Vec<Vec<f64>> = file.components.iter().map(samples).collect();
+                    (file.format, components)
+                })
+                .map_err(|problem| problem.to_string())
+            })
+        };
+        let windows = line_feeds.replace('\n', "\r\n");
+        assert_eq!(
+            read(&line_feeds),
+            read(&windows),
+            "{family}: {}",
+            path.display()
+        );
+        count += 1;
+    }
+    assert!(count > 25, "{count} seeds of text");
 }

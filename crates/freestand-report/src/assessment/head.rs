@@ -219,7 +219,7 @@ fn one_line(study: &Study) -> String {
 
 /// Code, site and return period, as far as the code has them.
 fn hazard_words(target: &Target) -> Vec<String> {
-    let years = target.spectrum.return_period_years();
+    let years = target.return_period_years();
     let site = target.spectrum.site_name().map(|_| target.site_words());
     let code = Some(target.spectrum.name().to_owned());
     [code, site, years.map(|years| format!("{years} years"))]
@@ -253,7 +253,7 @@ fn place(study: &Study, inventory: &Inventory) -> Vec<(String, String)> {
         }
         fact("Code", target.one_line());
         fact("Site", target.site_words());
-        let years = target.spectrum.return_period_years();
+        let years = target.return_period_years();
         let of_code = || "that of the hazard values of the code".to_owned();
         fact(
             "Return period",

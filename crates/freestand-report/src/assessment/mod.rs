@@ -9,6 +9,7 @@ mod fixture;
 mod floors;
 pub mod head;
 mod hold;
+mod losses;
 mod orders;
 mod outcomes;
 mod overview;

@@ -9,23 +9,34 @@ use freestand_output::answer;
 use freestand_output::answer::{ByName, table_of};
 use freestand_output::facts;
 use freestand_output::folder::OutputFolder;
-use freestand_risk::budget::{BudgetPlan, PlanRow};
+use freestand_risk::budget::{BudgetPlan, PlanRow, SitesLosses, UnknownLosses};
 use freestand_study::study::TitleBlock;
 
 use super::csv::CSV_NAME;
+use super::losses::{losses_text, why_unknown};
 use super::orders::{PARTS_NAME, PARTS_PAGE, write_orders};
 use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text_of_sites};
 use super::told::JobReport;
+use crate::figures::losses_figure;
 use crate::signature::Signing;
 use crate::table::table;
 
 /// The file with the counts of each site.
 pub const SITES_NAME: &str = "sites.csv";
 
+/// The file with the losses of all sites together.
+const LOSSES_NAME: &str = "losses.csv";
+
+/// The figure of these losses.
+const LOSSES_FIGURES: [&str; 2] = ["losses.svg", "losses.png"];
+
 /// The files that all sites share.
-pub const SHARED_NAMES: [&str; 6] = [
+pub const SHARED_NAMES: [&str; 9] = [
     CSV_NAME,
     SITES_NAME,
+    LOSSES_NAME,
+    LOSSES_FIGURES[0],
+    LOSSES_FIGURES[1],
     PLAN_NAME,
     ALTERNATIVES_NAME,
     PARTS_NAME,
@@ -59,6 +70,10 @@ answer! {
         plan: Option<Vec<SitePlanRow>>,
         /// Every measure for every object of all sites.
         plan_alternatives: Option<Vec<SitePlanRow>>,
+        /// What all sites lose together; `null`: no budget was given, or it is not known.
+        losses: Option<SitesLosses>,
+        /// Why it is not known.
+        losses_unknown: Option<String>,
         /// The folder.
         out: String,
         /// The files in it.
@@ -85,6 +100,8 @@ impl SitesReport {
             budget: None,
             plan: None,
             plan_alternatives: None,
+            losses: None,
+            losses_unknown: None,
             out: out.display().to_string(),
             files: Vec::new(),
             removed: Vec::new(),
@@ -100,6 +117,16 @@ impl SitesReport {
         self.plan = Some(planned.collect());
         self.plan_alternatives = Some(rows);
         self.budget = Some(plan);
+        self
+    }
+
+    /// With what all sites lose, or why that is not known.
+    #[must_use]
+    pub fn losing(mut self, losses: Result<SitesLosses, UnknownLosses>) -> Self {
+        match losses {
+            Ok(losses) => self.losses = Some(losses),
+            Err(unknown) => self.losses_unknown = Some(why_unknown(&unknown)),
+        }
         self
     }
 
@@ -132,11 +159,28 @@ pub fn write_sites(
             .key("site", one.site.clone())
             .key("place", one.report.place_name.clone())
             .key("objects", one.report.objects);
-        counts.into_iter().fold(facts, |facts, (decision, count)| {
+        let facts = counts.into_iter().fold(facts, |facts, (decision, count)| {
             facts.key(decision.name(), count)
-        })
+        });
+        let mut losses = report.losses.iter().flat_map(|losses| &losses.sites);
+        match losses.find(|own| own.site == one.site) {
+            Some(own) => facts
+                .key("latitude_deg", own.latitude_deg)
+                .key("longitude_deg", own.longitude_deg)
+                .key("annual_loss", own.annual_loss)
+                .key("annual_paid", own.annual_paid)
+                .key("annual_loss_is_at_least", own.annual_loss_is_at_least)
+                .key("downtime_days_per_year", own.downtime_days_per_year),
+            None => facts,
+        }
     });
     folder.write(SITES_NAME, facts::table(rows)?.as_ref())?;
+    if let Some(losses) = &report.losses {
+        folder.write(LOSSES_NAME, table_of(&losses.rows)?.as_ref())?;
+        let figure = losses_figure(losses)?;
+        folder.write(LOSSES_FIGURES[0], figure.svg.as_bytes())?;
+        folder.write(LOSSES_FIGURES[1], &figure.png)?;
+    }
     if let (Some(plan), Some(all)) = (&report.plan, &report.plan_alternatives) {
         folder.write(PLAN_NAME, table_of(plan)?.as_ref())?;
         folder.write(ALTERNATIVES_NAME, table_of(all)?.as_ref())?;
@@ -236,6 +280,11 @@ pub fn sites_text(report: &SitesReport) -> String {
         for assumed in assumptions(plan) {
             text.push_str(&format!("- {assumed}\n"));
         }
+    }
+    match (&report.losses, &report.losses_unknown) {
+        (Some(losses), _) => text.push_str(&losses_text(losses)),
+        (None, Some(why)) => text.push_str(&format!("\n{why}\n")),
+        (None, None) => {}
     }
     let shared = report.files.iter().filter(|name| !name.contains('/'));
     let named: Vec<&str> = shared.map(String::as_str).collect();

@@ -95,7 +95,7 @@ pub fn risk_figure(report: &RiskReport) -> Result<Option<Figure>, FigureError> {
 }
 
 /// A factor and a word that make amounts up to `largest` easy to read.
-fn scale(largest: f64) -> (f64, &'static str) {
+pub(super) fn scale(largest: f64) -> (f64, &'static str) {
     [(1e-9, "billion "), (1e-6, "million "), (1e-3, "thousand ")]
         .into_iter()
         .find(|(factor, _)| largest * factor >= 1.0)

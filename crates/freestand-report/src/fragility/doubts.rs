@@ -179,7 +179,7 @@ pub(crate) fn hazard_doubt(doubt: &HazardDoubt) -> String {
         ),
         HazardDoubt::SlopeOfPlace => {
             "the hazard goes through the return periods of the place: the interval of a rate counts that its slope may be \
-             smaller or larger by 0.5"
+             smaller or larger by 0.5, and without runs it is the range that follows from this alone, no 95 % interval"
                 .to_owned()
         }
         HazardDoubt::AssumedSite(site) => format!(

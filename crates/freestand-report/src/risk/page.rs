@@ -18,7 +18,7 @@ use super::words::{self as risk_words, least, once_in, rounded, uncertainty_word
 use crate::fragility::doubts::curve_doubts;
 use freestand_risk::RiskReport;
 use freestand_risk::costs::{CostRow, NotCounted};
-use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, StateRisk};
+use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, Slopes, StateRisk};
 use freestand_risk::plan::Chosen;
 
 /// The style of this report, added to that of a one-page report.
@@ -782,16 +782,15 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
                 .to_owned(),
         );
     }
-    if report
-        .objects
-        .iter()
-        .flat_map(|object| &object.states)
-        .any(|one| one.ci95.is_some())
-    {
-        lines.push(
-            "The uncertainty of the hazard: the intervals of the rates (risk.json) include that of the fragilities alone."
-                .to_owned(),
-        );
+    let states = || report.objects.iter().flat_map(|object| &object.states);
+    if states().any(|one| one.ci95.is_some()) {
+        let counted = match states().any(|one| one.slopes != Slopes::Stated) {
+            true => "count a slope that is 0.5 smaller or larger, and nothing else of it",
+            false => "include that of the fragilities alone",
+        };
+        lines.push(format!(
+            "The uncertainty of the hazard: the intervals of the rates (risk.json) {counted}."
+        ));
     } else {
         lines.push("The uncertainty of the hazard and of the fragilities.".to_owned());
     }

@@ -5,7 +5,7 @@ use freestand::risk::AnnualRates;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{number, percent_significant};
 use freestand_risk::costs::NotCounted;
-use freestand_risk::objects::{LossBounds, ObjectRisk, RiskVerdict, StateRisk, Unjudged};
+use freestand_risk::objects::{LossBounds, ObjectRisk, RiskVerdict, Slopes, StateRisk, Unjudged};
 use freestand_risk::report::WhyNotRun;
 
 /// The words before a number that is a lower bound.
@@ -15,13 +15,25 @@ pub(super) fn least(is_at_least: bool) -> &'static str {
 
 /// A rate in words: how often, its 95 % interval if it has one, and the chance in a number of
 /// years.
-fn rate_words(rate: f64, ci95: Option<(f64, f64)>, probability: f64, years: &str) -> String {
+fn rate_words(
+    rate: f64,
+    ci95: Option<(f64, f64)>,
+    slopes: Slopes,
+    probability: f64,
+    years: &str,
+) -> String {
     let interval = |(low, high)| {
-        format!(
-            "; 95 % interval {} to {} a year",
-            number(low, 3),
-            number(high, 3)
-        )
+        let (low, high) = (number(low, 3), number(high, 3));
+        match slopes {
+            Slopes::Alone => {
+                format!(
+                    "; {low} to {high} a year for a slope of the hazard that is 0.5 smaller or larger"
+                )
+            }
+            Slopes::Stated | Slopes::BesideMotions => {
+                format!("; 95 % interval {low} to {high} a year")
+            }
+        }
     };
     format!(
         "{} a year ({}{}), {} in {years} years",
@@ -48,10 +60,9 @@ pub(super) fn state_words(state: &StateRisk, years: &str) -> String {
     let AnnualRates {
         annual_rate,
         annual_rate_lower,
-        annual_rate_upper,
         ..
     } = state.rates;
-    let at_most = |most: f64| annual_rate_upper.filter(|upper| *upper > most);
+    let at_most = |most: f64| state.rates.told_upper().filter(|upper| *upper > most);
     let Some(rate) = annual_rate else {
         let least = (annual_rate_lower > 0.0)
             .then(|| format!(", at least {} a year", number(annual_rate_lower, 3)));
@@ -63,10 +74,15 @@ pub(super) fn state_words(state: &StateRisk, years: &str) -> String {
         );
     };
     // Where motions below the runs have no bound, the stated rate may be too large as well as too small.
-    let is_least = state.rates.begins_too_high()
-        || state.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
+    let is_least = state.rates.is_at_least() && annual_rate_lower >= 0.99 * rate;
     let least = if is_least { "at least " } else { "" };
-    let words = rate_words(rate, state.ci95, state.probability.unwrap_or(0.0), years);
+    let words = rate_words(
+        rate,
+        state.ci95,
+        state.slopes,
+        state.probability.unwrap_or(0.0),
+        years,
+    );
     // The runs leave bounds, or motions above the last point of the hazard do, or the ends of a step.
     let is_said = state
         .ci95
@@ -172,6 +188,7 @@ mod tests {
             },
             open: None,
             ci95: None,
+            slopes: Slopes::Stated,
             lacks_interval: false,
             probability: rate.map(|rate| 50.0 * rate),
             years: 50.0,
@@ -185,12 +202,17 @@ mod tests {
             ci95: Some((5e-4, 2e-3)),
             ..state
         };
+        let of_slopes = StateRisk {
+            slopes: Slopes::Alone,
+            ..with_interval(known.clone())
+        };
         let mut cut = known.clone();
         cut.rates.below_first = 1e-2;
         let states = [
             known.clone(),
             state(Some(0.0), 0.0, Some(0.0)),
             with_interval(known),
+            of_slopes,
             cut,
             state(Some(1e-3), 5e-4, Some(1.05e-3)),
             state(Some(1e-3), 1e-3, Some(3e-3)),

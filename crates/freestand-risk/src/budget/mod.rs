@@ -1,8 +1,13 @@
 //! Which objects of an assessment to restrain with a given amount of money: life safety first, then what pays most.
 
 mod fitting;
+mod losses;
 mod rates;
 mod uses;
+
+pub use losses::{
+    Insured, InsuredSite, LossOfSite, LossRow, SitesLosses, UnknownLosses, losses_over_sites,
+};
 
 pub use fitting::{Fitting, ToFit};
 
@@ -439,6 +444,8 @@ pub struct Priced {
     /// Whether the rates go on below the return periods of the code.
     extends: bool,
     has_costs: bool,
+    /// What falls cost in earthquakes; `None`: yearly rates or costs are not known.
+    losses: Option<losses::Losses>,
 }
 
 /// An object that may be restrained.
@@ -487,6 +494,9 @@ impl Budget {
         let years = present_value_factor_years(self.discount_ratio, self.horizon_years).map_err(
             |error| Problem::value(error.to_string(), "correct `horizon_years` or `discount`"),
         )?;
+        let losses = hazard
+            .as_ref()
+            .and_then(|hazard| self.losses(&candidates, &effects, hazard));
         let mut rows = Vec::new();
         for (object, (candidate, effects)) in candidates.iter().zip(effects).enumerate() {
             let mut of_measures = effects.iter().flat_map(|one| &one.measures);
@@ -502,6 +512,7 @@ impl Budget {
             has_rates: hazard.is_some(),
             extends,
             has_costs: self.has_costs,
+            losses,
         })
     }
 
@@ -606,6 +617,7 @@ impl Budget {
             has_rates,
             extends,
             has_costs,
+            losses: _,
         } = priced;
         let worths: Vec<Worth> = rows
             .iter()
@@ -745,6 +757,7 @@ pub fn plan_over_sites(
         has_rates: sites.iter().all(|(_, _, priced)| priced.has_rates),
         extends: sites.iter().any(|(_, _, priced)| priced.extends),
         has_costs: sites.iter().any(|(_, _, priced)| priced.has_costs),
+        losses: None,
     };
     let mut names: Vec<String> = Vec::new();
     for (name, _, priced) in sites {

@@ -18,7 +18,7 @@ const LEAST_RATIO: f64 = 0.4;
 /// or none.
 pub(super) fn rates_of(study: &Study) -> Option<(Hazard, bool)> {
     let target = study.ground.code_spectrum()?;
-    let own_years = f64::from(target.spectrum.return_period_years()?);
+    let own_years = f64::from(target.return_period_years()?);
     let place = target.place.as_ref().map(|place| place.hazard);
     let levels: Vec<(u32, f64)> = match (&target.spectrum, place) {
         (CodeSpectrum::As1170_4(_), _) => probability_factors().to_vec(),

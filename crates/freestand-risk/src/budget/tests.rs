@@ -139,6 +139,7 @@ fn priced(rows: Vec<(usize, PlanRow)>, objects: usize, has_rates: bool) -> Price
         has_rates,
         extends: false,
         has_costs: true,
+        losses: None,
     }
 }
 

@@ -392,12 +392,14 @@ fn downloaded(
         ..wanted
     };
     let site = read_hazard(bytes, path, &wanted)?;
-    let names: Vec<String> = site
-        .curves
+    let curves = site
+        .hazard_curves()
+        .map_err(|problem| problem.in_file(path))?;
+    let names: Vec<String> = curves
         .iter()
         .map(|curve| of_ground(curve.measure).name())
         .collect();
-    let one = match (site.curves.as_slice(), measure) {
+    let one = match (curves.as_slice(), measure) {
         ([one], _) => Ok(one),
         ([], _) => {
             let message = match site.code {

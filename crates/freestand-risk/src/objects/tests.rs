@@ -24,6 +24,7 @@ fn state(
         },
         open: None,
         ci95,
+        slopes: Slopes::Stated,
         lacks_interval: false,
         probability: None,
         years: 50.0,

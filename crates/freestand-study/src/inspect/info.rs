@@ -11,7 +11,8 @@ use freestand::measures::{
 use freestand::motion::Motion;
 use rayon::prelude::*;
 
-use crate::recorded::{Failed, MotionFiles, name_of, unique};
+use crate::recorded::{Failed, MotionFiles, name_of};
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::shorten;
 use freestand_output::answer::Answer;
@@ -94,7 +95,7 @@ pub fn info(request: &InfoRequest) -> Result<InfoReport, Problems> {
     }
     let mut names = HashSet::new();
     for one in &mut report.motions {
-        one.name = unique(&one.name, &mut names);
+        one.name = file_names::unique(&one.name, &mut names);
     }
     Ok(report)
 }

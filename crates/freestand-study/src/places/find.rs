@@ -1,5 +1,6 @@
 //! A place by its name or its coordinates, and what comes near to what was written.
 
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::LazyLock;
 
 use freestand_input::problem::Problem;
@@ -148,31 +149,38 @@ fn away(near: &[(String, f64)]) -> String {
     near.join(", ")
 }
 
+impl City {
+    /// Whether one of these names of it, with or without its country behind it, was written.
+    fn has<'a>(&self, names: impl IntoIterator<Item = &'a String>, wanted: &str) -> bool {
+        names.into_iter().any(|name| {
+            let rest = wanted.strip_prefix(name.as_str()).map(str::trim_start);
+            rest.is_some_and(|rest| rest.is_empty() || is_country(rest, &self.country))
+        })
+    }
+}
+
 /// What there is at a large city that has no row of its own: a point of a grid, a place that is this city by another name, or the
 /// places that are near. `None`: no such city is known.
 fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> {
-    let has = |city: &City, name: &str| {
-        let rest = wanted.strip_prefix(name);
-        rest.is_some_and(|rest| {
-            let rest = rest.trim_start();
-            rest.is_empty() || is_country(rest, &city.country)
-        })
-    };
     // The name of a city comes before another city's old or foreign one.
     let mut called: Vec<&City> = cities()
         .iter()
-        .filter(|city| city.names.first().is_some_and(|name| has(city, name)))
+        .filter(|city| city.has(city.names.first(), wanted))
         .collect();
     if called.is_empty() {
-        let other = |city: &&City| city.names.iter().any(|name| has(city, name));
+        let other = |city: &&City| city.has(&city.names, wanted);
         called.extend(cities().iter().find(other));
     }
     let city = *called.first()?;
     if called.iter().any(|other| other.country != city.country) {
-        let names = called
+        let mut names: Vec<String> = called
             .iter()
-            .map(|city| format!("{}, {}", city.name, city.country));
-        return Some(Err(NotFound::Several(names.collect())));
+            .map(|city| format!("{}, {}", city.name, city.country))
+            .collect();
+        // Two cities of a country may have one name, and the larger one is meant.
+        let mut told = HashSet::new();
+        names.retain(|name| told.insert(name.clone()));
+        return Some(Err(NotFound::Several(names)));
     }
     let name = format!("{}, {}", city.name, city.country);
     Some(at(city.at, code).map_err(|why| match why {
@@ -213,8 +221,6 @@ impl Place {
         if let Some(point) = coordinates(text) {
             return at(point?, code);
         }
-        static CALLED: LazyLock<Vec<Called>> =
-            LazyLock::new(|| places().iter().map(Called::new).collect());
         let wanted = canonical(text);
         if let Some((_, why)) = REFUSED
             .iter()
@@ -222,12 +228,12 @@ impl Place {
         {
             return Err(NotFound::Refused(why));
         }
-        let mut found: Vec<(usize, &Self)> = places()
-            .iter()
-            .zip(&*CALLED)
-            .enumerate()
-            .filter(|(_, (_, called))| called.is(&wanted))
-            .map(|(row, (place, _))| (place.rank(row), place))
+        let mut found: Vec<(usize, &Self)> = Called::by_letter()
+            .get(&wanted.chars().next())
+            .into_iter()
+            .flatten()
+            .filter(|called| called.is(&wanted))
+            .map(|called| (called.place.rank(called.row), called.place))
             .collect();
         if let Some(code) = code
             && found.iter().any(|(_, place)| place.hazard.code() == code)
@@ -245,16 +251,28 @@ impl Place {
         found.dedup_by(|(_, one), (_, other)| {
             one.full_name() == other.full_name() && one.hazard == other.hazard
         });
+        // A parish may have the name of a city that is not in the table, such as La Paz.
+        let is_parish = found.iter().all(|(_, place)| place.size == Size::Parish);
+        if is_parish
+            && first.names().any(|name| canonical(name) == wanted)
+            && let Some(city) = of_city(&wanted, code)
+        {
+            return city;
+        }
         let is_one_of_the_table =
             |(other, place): &(usize, &Self)| *other == 0 && place.country == first.country;
-        if found.len() > 1 && !found.iter().all(is_one_of_the_table) {
+        let is_by_hand = found.iter().all(is_one_of_the_table);
+        // The places of the table by hand keep their names, and answers tell the country of one that a city abroad has as well.
+        let abroad = match rank > 0 && code.is_none() {
+            true => larger_abroad(&wanted, &found),
+            false => Vec::new(),
+        };
+        if found.len() + abroad.len() > 1 && !is_by_hand {
             let names = found.iter().map(|(_, place)| place.full_name());
-            return Err(NotFound::Several(names.collect()));
+            return Err(NotFound::Several(names.chain(abroad).collect()));
         }
-        // A parish may have the name of a city that is not in the table, such as La Paz.
-        if first.size == Size::Parish && first.names().any(|name| canonical(name) == wanted) {
-            let parish = NotFound::Unknown(vec![first.full_name()]);
-            return of_city(&wanted, code).unwrap_or(Err(parish));
+        if is_parish && first.names().any(|name| canonical(name) == wanted) {
+            return Err(NotFound::Unknown(vec![first.full_name()]));
         }
         let mut meant = first.clone();
         if let PlaceHazard::Ntc2018 { at } = meant.hazard {
@@ -263,26 +281,94 @@ impl Place {
         Ok(meant)
     }
 
-    /// 0 for the table by hand, 1 for cities, 2 for municipalities and parishes: a name means one of the lowest rank.
+    /// 0 for the table by hand, 1 for cities, 2 for smaller municipalities and parishes: a name means one of the lowest rank.
     fn rank(&self, row: usize) -> usize {
         match self.size {
             _ if row < by_hand() => 0,
             Size::City => 1,
+            Size::Municipality if self.largest_rank().is_some() => 1,
             Size::Municipality | Size::Parish => 2,
         }
     }
+
+    /// Its rank among the large cities, the largest being 0; `None`: it is none of them.
+    fn largest_rank(&self) -> Option<usize> {
+        let here = self.coordinates?;
+        cities().iter().position(|city| {
+            city.country == self.country && city.at.distance_km(here) <= SAME_CITY_KM
+        })
+    }
+
+    /// Whether a large city of another country has its name.
+    pub(super) fn shares_its_name(&self) -> bool {
+        let name = canonical(&self.name);
+        cities()
+            .iter()
+            .any(|city| city.names.first() == Some(&name) && self.is_abroad(city))
+    }
+
+    /// Whether a city is in another country. A territory has a name of its own among the cities: Bayamon is in Puerto Rico there,
+    /// some kilometres from its row.
+    fn is_abroad(&self, city: &City) -> bool {
+        let is_here = |at: Coordinates| city.at.distance_km(at) <= 4.0 * SAME_PLACE_KM;
+        city.country != self.country && !self.coordinates.is_some_and(is_here)
+    }
+}
+
+/// The coordinates of a city and of its row in the tables are those of one source: rounded there to 0.01°, here to 0.0001°.
+const SAME_CITY_KM: f64 = 2.0;
+
+/// The cities of this name in other countries than those of the places that were found, as long as they are larger than each of
+/// these: `Valencia` is a city of Venezuela that is larger than the one of Spain.
+fn larger_abroad(wanted: &str, found: &[(usize, &Place)]) -> Vec<String> {
+    let largest = found
+        .iter()
+        .filter_map(|(_, place)| place.largest_rank())
+        .min();
+    let mut names: Vec<String> = Vec::new();
+    for city in cities().iter().take(largest.unwrap_or(usize::MAX)) {
+        let name = format!("{}, {}", city.name, city.country);
+        if city.has(city.names.first(), wanted)
+            && found.iter().all(|(_, place)| place.is_abroad(city))
+            && !names.contains(&name)
+        {
+            names.push(name);
+        }
+    }
+    names
 }
 
 /// What a place is called, in canonical words.
 struct Called {
+    row: usize,
+    place: &'static Place,
     names: Vec<String>,
     region: String,
     country: &'static str,
 }
 
 impl Called {
-    fn new(place: &Place) -> Self {
+    /// The places by the first letter of a name; one whose names begin with several letters is at each.
+    fn by_letter() -> &'static HashMap<Option<char>, Vec<Self>> {
+        static CALLED: LazyLock<HashMap<Option<char>, Vec<Called>>> = LazyLock::new(|| {
+            let mut all: HashMap<Option<char>, Vec<Called>> = HashMap::new();
+            for (row, place) in places().iter().enumerate() {
+                let names = place.names().map(canonical);
+                let letters: BTreeSet<Option<char>> =
+                    names.map(|name| name.chars().next()).collect();
+                for letter in letters {
+                    all.entry(letter).or_default().push(Called::new(row, place));
+                }
+            }
+            all
+        });
+        &CALLED
+    }
+
+    fn new(row: usize, place: &'static Place) -> Self {
         Self {
+            row,
+            place,
             names: place.names().map(canonical).collect(),
             region: canonical(place.region),
             country: place.country,
@@ -295,7 +381,10 @@ impl Called {
             let rest = wanted.strip_prefix(name.as_str());
             rest.is_some_and(|rest| {
                 let rest = rest.trim_start();
-                rest.is_empty() || rest == self.region || is_country(rest, self.country)
+                let follows = rest.strip_prefix(self.region.as_str()).map(str::trim_start);
+                rest.is_empty()
+                    || is_country(rest, self.country)
+                    || follows.is_some_and(|rest| rest.is_empty() || is_country(rest, self.country))
             })
         })
     }
@@ -533,6 +622,7 @@ fn on_grid(point: Coordinates, km: f64) -> Place {
         coordinates: Some(point),
         distance_km: Some(km),
         fault_distance_km: None,
+        derived: None,
     }
 }
 

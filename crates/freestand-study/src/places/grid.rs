@@ -5,11 +5,10 @@ use std::sync::LazyLock;
 
 use flate2::read::ZlibDecoder;
 use freestand::code_spectrum::NtcHazard;
+use freestand_records::tables::hazard::NTC_YEARS;
 
 use super::Coordinates;
 
-/// The return periods of the annex \[years\].
-pub const NTC_YEARS: [u32; 9] = [30, 50, 72, 101, 140, 201, 475, 975, 2475];
 /// A node further south has an id larger by this; one further east by 1.
 const ROW: u32 = 222;
 /// Values of a node: its id, longitude and latitude, and three for each return period.

@@ -1,6 +1,7 @@
 //! Places by name or by coordinates, with the hazard that the code of their country gives them and its source.
 
 mod cities;
+mod derived;
 mod find;
 mod grid;
 mod rows;
@@ -10,10 +11,12 @@ use std::borrow::Cow;
 use freestand::code_spectrum::{NationalAnnex, NtcHazard, SpectrumType, TsSite, TsValues};
 use freestand_input::words::number;
 use freestand_output::answer_of;
-pub use freestand_records::tables::hazard::Coordinates;
+pub use freestand_records::tables::hazard::{Coordinates, NTC_YEARS};
 
+pub use derived::Derived;
+pub(crate) use derived::{CONVERTED_YEARS, NotDerived};
 pub use find::{NotFound, coordinates, is_country, nearest, wanted_site};
-pub use grid::{NTC_YEARS, ntc_hazard};
+pub use grid::ntc_hazard;
 pub use rows::places;
 
 /// Whether a point of the grid of Italy may lie in France, Switzerland, Austria or Slovenia, or in San Marino: north of the
@@ -49,6 +52,8 @@ pub struct Place {
     pub distance_km: Option<f64>,
     /// To the nearest major fault, where the table of its code has that; [`FAR_KM`] stands for more \[km\].
     pub fault_distance_km: Option<f64>,
+    /// How its values were converted from the return period at which they were read, if they were.
+    pub derived: Option<Derived>,
 }
 
 /// What a place is.
@@ -269,15 +274,20 @@ impl PlaceHazard {
         }
     }
 
-    /// Whether its code has factors for several return periods.
+    /// Whether it has values at several return periods: of its code, or derived ones.
     pub fn takes_return_period(&self) -> bool {
         match self {
             Self::As1170_4 { .. }
             | Self::Nzs1170_5 { .. }
             | Self::Ntc2018 { .. }
             | Self::Tbdy2018 { .. }
+            | Self::Eurocode8 { .. }
             | Self::Ts1170_5 { .. } => true,
-            Self::Asce7 { .. } | Self::Eurocode8 { .. } | Self::Shape { .. } => false,
+            Self::Shape {
+                return_period_years,
+                ..
+            } => return_period_years.is_some(),
+            Self::Asce7 { .. } => false,
         }
     }
 
@@ -367,6 +377,8 @@ pub enum Confidence {
     /// Read, and interpolated between the nodes of a grid.
     #[strum(serialize = "read, interpolated")]
     Interpolated,
+    /// Converted from a value at another return period, for screening.
+    Derived,
     /// Recalled, or read in a source that nobody checked: every output asks the reader to confirm it.
     Approximate,
 }
@@ -394,11 +406,13 @@ impl Place {
         }
     }
 
-    /// Its name for an answer: with its state and country unless it is one of the table by hand, which has no two of a name.
+    /// Its name for an answer: with its state and country unless it is one of the table by hand, which has no two of a name,
+    /// and no large city abroad has that name.
     pub fn told_name(&self) -> String {
         let mut by_hand = places().iter().take(rows::by_hand());
         if self.is_point()
             || by_hand.any(|place| place.source == self.source && place.name == self.name)
+                && !self.shares_its_name()
         {
             return self.name.to_string();
         }
@@ -422,7 +436,15 @@ impl Place {
 
     /// The values of its hazard with their symbols, and its distance to a fault.
     pub fn words(&self) -> String {
-        let words = self.hazard.words();
+        let words = match self.derived {
+            None => self.hazard.words(),
+            Some(derived) => {
+                let values = self.hazard.words();
+                // The first value, without the return period of the one that was read.
+                let value = values.split([';', '(']).next().unwrap_or_default().trim();
+                format!("{value} ({} years, derived)", derived.years)
+            }
+        };
         match self.fault_distance_km {
             None => words,
             Some(km) if km >= FAR_KM => {
@@ -445,7 +467,24 @@ impl Place {
             Confidence::Approximate => "approximate, confirm it",
             other => other.name(),
         };
-        format!("{}: {confidence}{away}", self.source)
+        let derived = match (self.derived, self.confidence) {
+            (None, _) => String::new(),
+            (Some(derived), Confidence::Derived) => format!(", {}", derived.words()),
+            (Some(derived), _) => format!(", derived: {}", derived.words()),
+        };
+        format!("{}: {confidence}{derived}{away}", self.source)
+    }
+
+    /// What the reader must know of a conversion.
+    pub fn derived_doubt(&self) -> Option<String> {
+        let derived = self.derived?;
+        Some(format!(
+            "the hazard of {} at {} years is derived, not read: {}, for screening only; motions of worlds that are made for its \
+             spectrum draw this range",
+            self.name,
+            derived.years,
+            derived.words()
+        ))
     }
 
     /// What the reader must know about its values.

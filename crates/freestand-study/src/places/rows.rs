@@ -67,7 +67,7 @@ fn read(row: &'static str) -> Option<Place> {
         country,
         size: match country {
             "Ecuador" if region.contains(',') => Size::Parish,
-            "Ecuador" | "Portugal" => Size::Municipality,
+            "Ecuador" | "Portugal" | "Spain" => Size::Municipality,
             _ => Size::City,
         },
         hazard,
@@ -76,6 +76,7 @@ fn read(row: &'static str) -> Option<Place> {
         coordinates,
         distance_km: None,
         fault_distance_km,
+        derived: None,
     })
 }
 

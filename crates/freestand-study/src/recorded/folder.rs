@@ -5,13 +5,14 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use freestand_input::file::{self, check_allowed};
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::words::counted;
 use freestand_records::formats::{Component, Direction, ReadOptions};
 use rayon::prelude::*;
 
 use super::pairing::{Single, pairs};
-use super::{Failed, Loaded, MotionFiles, ReadMotion, Second, Used, unique};
+use super::{Failed, Loaded, MotionFiles, ReadMotion, Second, Used};
 use crate::suite::{LeftOut, MAX_FILES};
 
 /// What a folder holds.
@@ -146,7 +147,7 @@ pub(crate) fn read_folder(folder: &Path, files: &MotionFiles) -> Result<Folder, 
     found.skipped.sort();
     let mut names = HashSet::new();
     for read in &mut found.motions {
-        read.motion.name = unique(&read.motion.name, &mut names);
+        read.motion.name = file_names::unique(&read.motion.name, &mut names);
     }
     Ok(found)
 }

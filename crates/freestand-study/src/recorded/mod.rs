@@ -18,6 +18,7 @@ use crate::study::{RecordedMotion, SecondComponent};
 use crate::unsolved::rocking_problem;
 use freestand_input::file::load;
 use freestand_input::file::{InputFile, sha256_hex};
+use freestand_input::file_names;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_input::word_reader::WordReader;
@@ -196,7 +197,7 @@ pub(crate) fn read_recorded(files: &MotionFiles) -> (Vec<ReadMotion>, Vec<(usize
     for (index, path) in files.paths.iter().enumerate() {
         match read_one(index, path, files) {
             Ok(mut read) => {
-                read.motion.name = unique(&read.motion.name, &mut names);
+                read.motion.name = file_names::unique(&read.motion.name, &mut names);
                 motions.push(read);
             }
             Err(problems) => failures.extend(problems.into_iter().map(|problem| (index, problem))),
@@ -498,39 +499,24 @@ pub fn name_of(path: &Path) -> String {
     let stem = path
         .file_stem()
         .map_or_else(|| "motion".into(), |stem| stem.to_string_lossy());
-    let name: String = stem
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || matches!(c, '-' | '_' | '.') {
-                c
-            } else {
-                '-'
-            }
-        })
-        .collect();
-    let name = name.trim_matches(['.', '-']).to_owned();
-    if name.is_empty() {
-        "motion".to_owned()
-    } else {
-        name
-    }
-}
-
-/// The name, or the name with the first free number from 2. Names that differ only in capitals are
-/// equal, as in some file systems.
-pub(crate) fn unique(name: &str, taken: &mut HashSet<String>) -> String {
-    let mut candidate = name.to_owned();
-    let mut number = 2;
-    while !taken.insert(candidate.to_lowercase()) {
-        candidate = format!("{name}-{number}");
-        number += 1;
-    }
-    candidate
+    file_names::made_of(&stem, "-_.", '-').unwrap_or_else(|| "motion".to_owned())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_motion_has_a_name_that_a_file_can_have() {
+        for (path, name) in [
+            ("x/quake one.csv", "quake-one"),
+            ("x/CON.AT2", "CON-"),
+            ("x/...", "motion"),
+            ("x/RSN6_A:B.AT2", "RSN6_A-B"),
+        ] {
+            assert_eq!(name_of(Path::new(path)), name, "{path}");
+        }
+    }
 
     /// A floor is shaken sideways; only who says so reads a vertical component alone.
     #[test]

@@ -73,7 +73,6 @@ fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
             ));
         }
         if let Some(years) = target
-            .spectrum
             .return_period_years()
             .filter(|_| !stated.of_ground("return_period_years"))
         {

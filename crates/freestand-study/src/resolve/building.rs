@@ -10,6 +10,7 @@ use crate::building::{self, BuildingInput, GivenStoreys};
 use crate::options::{BuildingOptions, GroundOptions, LevelOptions};
 use crate::rerun::with_storeys;
 use crate::study::{DEFAULT_VERTICAL_AMPLIFICATION, FirstFloor, Level, NamedFloor};
+use freestand_input::file_names;
 use freestand_input::keys::Words;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -119,7 +120,7 @@ impl Resolver<'_> {
         let mut levels = Vec::new();
         for entry in entries {
             if let Some(level) = self.level(entry, ground) {
-                if !names.insert(level.name.to_lowercase()) {
+                if !names.insert(file_names::same_file(&level.name)) {
                     self.note(
                         Some(entry.line),
                         format!("two levels have the name \"{}\"", level.name),
@@ -301,27 +302,8 @@ fn in_its_table(message: &str) -> String {
 /// Whether a name can be that of a folder on every system and differs from all names of motion
 /// files.
 fn is_file_name(name: &str) -> bool {
-    let allowed = |c: char| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_' | '.');
-    !name.is_empty()
+    file_names::unfit(name).is_none()
         && name.chars().count() <= 60
-        && name.chars().all(allowed)
         && name.starts_with(char::is_alphanumeric)
-        && !name.ends_with([' ', '.'])
         && !name.to_lowercase().ends_with(".csv")
-        && !is_device(name)
-}
-
-/// Names that Windows reserves for devices, with any extension.
-fn is_device(name: &str) -> bool {
-    let stem = name
-        .split('.')
-        .next()
-        .unwrap_or(name)
-        .trim_end()
-        .to_lowercase();
-    let numbered = |prefix| {
-        stem.strip_prefix(prefix)
-            .is_some_and(|n: &str| matches!(n.as_bytes(), [b'1'..=b'9']))
-    };
-    matches!(stem.as_str(), "con" | "prn" | "aux" | "nul") || numbered("com") || numbered("lpt")
 }

@@ -90,6 +90,7 @@ impl Code {
             Self::Eurocode8 => &[
                 "edition",
                 "spectrum_type",
+                "return_period_years",
                 "ground_acceleration",
                 "importance_factor",
                 "soil_factor",

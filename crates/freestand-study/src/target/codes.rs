@@ -46,6 +46,7 @@ pub(super) fn at(place: Option<&Place>, mut target: Target) -> Target {
     // The first fact is the code.
     target.facts.splice(1..1, facts);
     target.warnings.extend(place.doubt());
+    target.warnings.extend(place.derived_doubt());
     target.place = Some(place.clone());
     target
 }
@@ -260,6 +261,17 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
     const CODE: Code = Code::Eurocode8;
     edition(reader, &[("2004", ())], "2004 (EN 1998-1:2004)");
     refuse_beside_place(reader, &["ground_acceleration"]);
+    if place.is_none() && reader.has("return_period_years") {
+        reader.note(
+            &["return_period_years"],
+            "`return_period_years` needs a `place`: a `ground_acceleration` holds for a return period of its own",
+            "leave it out, or give `place` in place of `ground_acceleration`",
+        );
+    }
+    if place.is_some() && reader.has("return_period_years") {
+        // γ_I stands for another return period as well.
+        reader.exclusive("return_period_years", "importance_factor");
+    }
     let hazard = place.map(|place| place.hazard);
     let (of_place, of_type_2, annex, only_type) = match hazard {
         Some(PlaceHazard::Eurocode8 {
@@ -404,11 +416,14 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
     target
         .facts
         .extend(annex.map(|annex| fact("National annex", annex.name())));
-    if let Some(PlaceHazard::Shape {
-        return_period_years: Some(years),
-        ..
-    }) = hazard
-    {
+    let years = match hazard {
+        Some(PlaceHazard::Shape {
+            return_period_years,
+            ..
+        }) => return_period_years,
+        _ => place.and_then(|place| Some(place.derived?.years)),
+    };
+    if let Some(years) = years {
         target
             .facts
             .push(fact("Return period", format!("{years} years")));

@@ -126,7 +126,12 @@ pub(super) fn tbdy2018(reader: &mut WordReader, place: Option<&Place>) -> Option
     };
     let (ss_g, s1_g, years) = match place.map(|place| place.hazard) {
         Some(PlaceHazard::Tbdy2018 { ss_g, s1_g }) => {
-            let level = |years: u32| TBDY_YEARS.iter().position(|&known| known == years);
+            let derived = place.and_then(|place| place.derived);
+            let level = |years: u32| match derived {
+                // Both levels have what was derived.
+                Some(derived) => (derived.years == years).then_some(0),
+                None => TBDY_YEARS.iter().position(|&known| known == years),
+            };
             let known = |years: u32| {
                 level(years)
                     .map(|_| ())

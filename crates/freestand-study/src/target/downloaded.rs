@@ -187,6 +187,7 @@ fn place_in_file(site: &SiteHazard, hazard: PlaceHazard, name: &str) -> Place {
         coordinates: site.at,
         distance_km: site.distance_km,
         fault_distance_km: None,
+        derived: None,
     }
 }
 

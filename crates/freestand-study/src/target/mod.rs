@@ -127,6 +127,20 @@ impl Target {
         Code::of(&self.spectrum).name()
     }
 
+    /// Its return period \[years\], where its code or its place has one.
+    pub fn return_period_years(&self) -> Option<u32> {
+        let derived = self.place.as_ref().and_then(|place| place.derived);
+        derived
+            .map(|derived| derived.years)
+            .or_else(|| self.spectrum.return_period_years())
+    }
+
+    /// The standard deviation of the logarithm of a hazard that was derived from another return period; 0 for one that was read.
+    pub fn hazard_spread(&self) -> f64 {
+        let derived = self.place.as_ref().and_then(|place| place.derived);
+        derived.map_or(0.0, |derived| derived.ln_spread())
+    }
+
     /// The name of the place whose hazard was used.
     pub fn place_name(&self) -> Option<String> {
         self.place.as_ref().map(Place::told_name)
@@ -287,14 +301,18 @@ impl Target {
         }
     }
 
-    /// ` (Melbourne)`, ` (Athens, approximate)`; empty without a place.
+    /// ` (Melbourne)`, ` (Athens, approximate, derived)`; empty without a place.
     fn place_in_brackets(&self) -> String {
         match &self.place {
             None => String::new(),
-            Some(place) if place.confidence == Confidence::Approximate => {
-                format!(" ({}, approximate)", place.name)
+            Some(place) => {
+                let approximate = match place.confidence {
+                    Confidence::Approximate => ", approximate",
+                    _ => "",
+                };
+                let derived = place.derived.map_or("", |_| ", derived");
+                format!(" ({}{approximate}{derived})", place.name)
             }
-            Some(place) => format!(" ({})", place.name),
         }
     }
 
@@ -433,7 +451,7 @@ answer_of!(
     /// Z.
     hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
     return_period_years: Option<u64> =
-        of.0.and_then(|target| target.spectrum.return_period_years()).map(u64::from);
+        of.0.and_then(Target::return_period_years).map(u64::from);
     kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
 });
 

@@ -197,7 +197,7 @@ fn all_problems_are_told_at_once() {
         ]),
         [
             "`return_period_years` is not part of ASCE 7 | leave it out, or name a code that has it: `code = \
-             \"as1170.4\"` or `code = \"nzs1170.5\"` or `code = \"ntc2018\"` or `code = \"tbdy2018\"` or \
+             \"as1170.4\"` or `code = \"eurocode8\"` or `code = \"nzs1170.5\"` or `code = \"ntc2018\"` or `code = \"tbdy2018\"` or \
              `code = \"ts1170.5\"`",
             "ASCE 7 needs `long_period` | give `long_period = \"8 s\"`",
             "`sds` must be positive, not \"-1 g\" | give an acceleration above 0",
@@ -589,8 +589,8 @@ fn coordinates_bring_the_hazard_of_a_grid() {
         ),
         (&[("code", "ntc2018")], "needs `place`"),
         (
-            &[("place", "Istanbul"), ("return_period_years", "500")],
-            "500 years",
+            &[("place", "Istanbul"), ("return_period_years", "10000")],
+            "outside of the 72 to 2475 years",
         ),
     ] {
         let got = problems(pairs);
@@ -634,6 +634,81 @@ fn spectra_of_national_annexes() {
     // Stated values take the place of the annex.
     let own = target(&[("place", "Nice"), ("soil_factor", "1.2")]);
     near(own.spectrum.sa_g(0.2), 0.163 * 2.5 * 1.2);
+}
+
+/// By hand: k = 3 gives (2475/475)^(1/3) = 1.7336 for Athens, 0.16 g, ground B, S = 1.2; its σ of ln is 0.1500. For Istanbul
+/// the nearer level counts: (1500/2475)^(1/2.5) = 0.8185 of its Ss.
+#[test]
+fn a_return_period_that_the_table_lacks() {
+    let athens = target(&[("place", "Athens"), ("return_period_years", "2475")]);
+    assert!((athens.spectrum.sa_g(0.3) / (2.5 * 1.2 * 0.16 * 1.7336) - 1.0).abs() < 1e-4);
+    assert_eq!(athens.return_period_years(), Some(2475));
+    assert!((athens.hazard_spread() - 0.1500).abs() < 1e-4);
+    let told = "derived: the value of 475 years × 1.73 (1.46 to 2.38)";
+    assert!(
+        athens.facts.iter().any(|(_, value)| value.contains(told)),
+        "{:?}",
+        athens.facts
+    );
+    let warned =
+        "is derived, not read: the value of 475 years × 1.73 (1.46 to 2.38), for screening only";
+    assert!(
+        athens.warnings.iter().any(|one| one.contains(warned)),
+        "{:?}",
+        athens.warnings
+    );
+    assert!(
+        athens.one_line().contains("(Athens, approximate, derived)"),
+        "{}",
+        athens.one_line()
+    );
+    let istanbul = target(&[("place", "Istanbul"), ("return_period_years", "1500")]);
+    assert_eq!(istanbul.return_period_years(), Some(1500));
+    let rare = target(&[("place", "Istanbul"), ("return_period_years", "2475")]);
+    assert_eq!(
+        (rare.hazard_spread(), rare.place.as_ref().unwrap().derived),
+        (0.0, None)
+    );
+    let mapped = |target: &Target| match &target.spectrum {
+        CodeSpectrum::Tbdy2018(code) => code.mapped_g()[0],
+        other => panic!("{other:?}"),
+    };
+    assert!((mapped(&istanbul) / mapped(&rare) - 0.8185).abs() < 1e-4);
+    // The annex of Spain is at 500 years: asked or not, it is what was read.
+    let lorca = target(&[("place", "Lorca"), ("return_period_years", "500")]);
+    assert_eq!(lorca.hazard_spread(), 0.0);
+    assert_eq!(lorca.spectrum, target(&[("place", "Lorca")]).spectrum);
+    for (pairs, word) in [
+        (
+            &[("place", "Athens"), ("return_period_years", "20")][..],
+            "outside of the 72 to 2475 years",
+        ),
+        (
+            &[("place", "Tokyo"), ("return_period_years", "475")],
+            "have no return period",
+        ),
+        (
+            &[
+                ("place", "Athens"),
+                ("return_period_years", "1000"),
+                ("importance_factor", "1.2"),
+            ],
+            "`importance_factor`",
+        ),
+        (
+            &[
+                ("code", "eurocode8"),
+                ("spectrum_type", "1"),
+                ("site", "B"),
+                ("ground_acceleration", "0.2 g"),
+                ("return_period_years", "1000"),
+            ],
+            "`return_period_years` needs a `place`",
+        ),
+    ] {
+        let got = problems(pairs);
+        assert!(got[0].contains(word), "{pairs:?} {got:?}");
+    }
 }
 
 /// N(3 s, 0 km) = 0.24 · 3 + 0.64 = 1.36 in Wellington; 1 in Napier, which is far from faults; a distance
@@ -748,7 +823,7 @@ fn remedies_name_what_can_be_given() {
     let cases: [(Pairs, &str); 2] = [
         (&[("place", "Nowhere")], "hazard_factor"),
         (
-            &[("place", "Lisbon"), ("return_period_years", "500")],
+            &[("place", "Los Angeles"), ("return_period_years", "500")],
             "`code = ",
         ),
     ];

@@ -11,7 +11,7 @@ use freestand_input::word_reader::WordReader;
 use super::code::{CODES, Code};
 use super::named::{found, named_place, place_of};
 use super::{Target, codes, countries, table};
-use crate::places::{NotFound, Place, places};
+use crate::places::{CONVERTED_YEARS, NotDerived, NotFound, Place, places};
 
 /// What a person may write besides a place, and so what a remedy may name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +73,7 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
         return Some(None);
     };
     let why = match found(reader.words, &name) {
-        Ok(found) => return Some(Some(found)),
+        Ok(found) => return Some(at_return_period(reader, found)),
         Err(why) => why,
     };
     let bring = match remedies {
@@ -101,6 +101,44 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
         .find(|place| Some(place.hazard.code()) == code)
         .cloned()
         .map(Some)
+}
+
+/// The place with values at the return period that the words name, where its code has none there.
+fn at_return_period(reader: &mut WordReader, place: Place) -> Option<Place> {
+    let key = "return_period_years";
+    if !reader.has(key) {
+        return Some(place);
+    }
+    // A number that is none is noted by the code.
+    let text = reader.words.get(key).unwrap_or_default();
+    let Some(derived) = text
+        .trim()
+        .parse()
+        .ok()
+        .and_then(|years| place.derived_at(years))
+    else {
+        return Some(place);
+    };
+    match derived {
+        Ok(derived) => return Some(derived),
+        Err(NotDerived::Unknown) => reader.note(
+            &[key],
+            format!(
+                "the values of {} have no return period, so that none can be derived from them",
+                place.name
+            ),
+            "leave `return_period_years` out",
+        ),
+        Err(NotDerived::Beyond) => {
+            let [first, last] = CONVERTED_YEARS;
+            reader.note(
+                &[key],
+                format!("`{key}` {} is outside of the {first} to {last} years to which values are converted", shorten(text)),
+                format!("give {first} to {last} years, or a spectrum of your own as `spectrum`"),
+            );
+        }
+    }
+    Some(place)
 }
 
 /// The code: as named; otherwise a table if a file is named, or that of the place, or else

@@ -61,6 +61,11 @@ impl AnnualRates {
         self.annual_rate_upper.map(|rate| rate + self.below_first)
     }
 
+    /// The upper bound of the rate as it is told: none where motions below the first point of the hazard add to it.
+    pub fn told_upper(&self) -> Option<f64> {
+        self.annual_rate_upper.filter(|_| !self.begins_too_high())
+    }
+
     /// Extends the bounds to `lower` and `upper`.
     pub fn widened(self, lower: f64, upper: Option<f64>) -> Self {
         Self {

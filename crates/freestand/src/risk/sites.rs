@@ -219,6 +219,10 @@ pub fn simulate(
 
 /// The year of the next earthquake of a Poisson process, whose time goes on; `None`: it is after the end.
 fn next(time_years: &mut f64, rate_per_year: f64, random: &mut ChaCha8Rng) -> Option<usize> {
+    // The rate of a site without losses is the sum of nothing, −0, which would take the time back.
+    if rate_per_year <= 0.0 {
+        return None;
+    }
     let gap: f64 = Exp1.sample(random);
     *time_years += gap / rate_per_year;
     (*time_years < f64::from(SIMULATED_YEARS)).then_some(*time_years as usize)
@@ -428,6 +432,22 @@ mod tests {
                 .map(|one| one.paid),
         );
         assert!((by_policy - by_site).abs() < 1e-9);
+    }
+
+    /// A site where nothing falls adds nothing.
+    #[test]
+    fn a_site_without_losses_adds_nothing() {
+        let none = site(&[], &[], Terms::ALL);
+        let [one, _] = two();
+        for dependence in [Dependence::Independent, Dependence::Common] {
+            let alone = simulate(std::slice::from_ref(&none), &dependence, Terms::ALL, 6);
+            assert_eq!((alone.events.len(), alone.totals.len()), (0, 0));
+            let both = simulate(&[one.clone(), none.clone()], &dependence, Terms::ALL, 6);
+            assert_eq!(
+                both,
+                simulate(std::slice::from_ref(&one), &dependence, Terms::ALL, 6)
+            );
+        }
     }
 
     /// Annual totals of equal losses are compound Poisson: the share of years with two or more is 1 − e^−ν (1 + ν).

@@ -31,6 +31,8 @@ pub struct SpreadOptions {
     pub intensity_spread: f64,
     /// Correlation of the deviations of the two horizontal components.
     pub component_correlation: f64,
+    /// Standard deviation of the logarithm of the hazard itself: one factor on all components at all periods.
+    pub hazard_spread: f64,
 }
 
 impl Default for SpreadOptions {
@@ -45,6 +47,7 @@ impl Default for SpreadOptions {
             spectral_spread: 0.65,
             intensity_spread: 0.15,
             component_correlation: 0.6,
+            hazard_spread: 0.0,
         }
     }
 }
@@ -55,6 +58,7 @@ impl SpreadOptions {
         spectral_spread: 0.0,
         intensity_spread: 0.0,
         component_correlation: 0.6,
+        hazard_spread: 0.0,
     };
 }
 
@@ -142,9 +146,9 @@ impl WorldSpectra {
 
 /// The deviations of spectra, ready to be drawn.
 ///
-/// ln S_c(T) = ln S(T) + σ e_c(T) + τ z_c,
+/// ln S_c(T) = ln S(T) + σ e_c(T) + τ z_c + η h,
 ///
-/// where e is Gaussian with the [`spectral_correlation_ratio`] between periods, less its mean over
+/// where η is the [`hazard_spread`](SpreadOptions::hazard_spread) and h is one standard normal number of all components, e is Gaussian with the [`spectral_correlation_ratio`] between periods, less its mean over
 /// ln T in 0.2 to 3 s, and z is standard normal. Those of the two horizontal components share √ρ of
 /// each: e_c = √ρ e + √(1 − ρ) e′_c. The mean of ln S_c is ln S at every period.
 ///
@@ -182,6 +186,7 @@ impl GroundSpread {
             MOST_SPREAD,
             options.intensity_spread,
         )?;
+        within("the hazard spread", MOST_SPREAD, options.hazard_spread)?;
         within(
             "the correlation of the components",
             1.0,
@@ -217,7 +222,9 @@ impl GroundSpread {
                 (weight(own, column) - mean).powi(2)
             })
             .sum();
-        (self.options.spectral_spread * variance.sqrt()).hypot(self.options.intensity_spread)
+        (self.options.spectral_spread * variance.sqrt())
+            .hypot(self.options.intensity_spread)
+            .hypot(self.options.hazard_spread)
     }
 
     /// The options.
@@ -254,7 +261,7 @@ impl GroundSpread {
     /// The spectra after `refused` draws that were extreme.
     ///
     /// All random numbers are drawn in one order, whatever the options: e shared, of x, of y, and
-    /// vertical; then z in that order.
+    /// vertical; then z in that order; then h.
     pub(super) fn drawn(
         &self,
         seed: u64,
@@ -266,6 +273,7 @@ impl GroundSpread {
         let mut normal = || -> f64 { StandardNormal.sample(&mut random) };
         let [shared, of_x, of_y, vertical] = [(); 4].map(|()| self.field(&mut normal));
         let [z, z_x, z_y, z_vertical] = [(); 4].map(|()| normal());
+        let hazard = self.options.hazard_spread * normal();
         let common = self.options.component_correlation.sqrt();
         let own = (1.0 - self.options.component_correlation).sqrt();
         let joined = |e: &[f64], z_own: f64| {
@@ -274,12 +282,12 @@ impl GroundSpread {
                 .zip(e)
                 .map(|(shared, e)| common * shared + own * e)
                 .collect();
-            self.deviation(e, common * z + own * z_own)
+            self.deviation(e, common * z + own * z_own, hazard)
         };
         WorldSpectra {
             x: joined(&of_x, z_x),
             y: joined(&of_y, z_y),
-            vertical: self.deviation(vertical, z_vertical),
+            vertical: self.deviation(vertical, z_vertical, hazard),
         }
     }
 
@@ -298,7 +306,7 @@ impl GroundSpread {
         e.iter().map(|e| e - mean).collect()
     }
 
-    fn deviation(&self, e: Vec<f64>, z: f64) -> Deviation {
+    fn deviation(&self, e: Vec<f64>, z: f64, hazard: f64) -> Deviation {
         let SpreadOptions {
             spectral_spread,
             intensity_spread,
@@ -307,7 +315,7 @@ impl GroundSpread {
         Deviation {
             ln_ratios: e
                 .iter()
-                .map(|e| spectral_spread * e + intensity_spread * z)
+                .map(|e| spectral_spread * e + intensity_spread * z + hazard)
                 .collect(),
         }
     }

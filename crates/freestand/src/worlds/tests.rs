@@ -267,6 +267,41 @@ fn the_mean_over_periods_deviates_by_the_intensity_alone() {
     );
 }
 
+/// One factor at all periods of all components, and no other random number changes.
+#[test]
+fn the_spread_of_the_hazard_is_common_to_all() {
+    let alone = SpreadOptions {
+        hazard_spread: 0.15,
+        ..SpreadOptions::NONE
+    };
+    let worlds = thousand(alone);
+    for WorldSpectra { x, y, vertical } in &worlds {
+        let all = [x, y, vertical].map(Deviation::ln_ratios).concat();
+        assert!(all.iter().all(|ln| *ln == all[0]));
+    }
+    let drawn: Vec<f64> = worlds.iter().map(|world| world.x.ln_ratios()[0]).collect();
+    // Four standard errors σ/√(2n); what is cut off at 3 σ takes 1.3 % away.
+    let error = 4.0 / f64::from(2 * WORLDS).sqrt() + 0.013;
+    assert!((sd(&drawn) / 0.15 - 1.0).abs() < error, "{}", sd(&drawn));
+    let with = SpreadOptions {
+        hazard_spread: 1e-9,
+        ..SpreadOptions::default()
+    };
+    let (with, without) = [with, SpreadOptions::default()]
+        .map(|options| GroundSpread::new(options).unwrap().spectra(9, 3, 0))
+        .into();
+    for (a, b) in with.x.ln_ratios().iter().zip(without.x.ln_ratios()) {
+        assert!((a - b).abs() < 1e-8);
+    }
+    assert!(
+        GroundSpread::new(SpreadOptions {
+            hazard_spread: 1.6,
+            ..alone
+        })
+        .is_err()
+    );
+}
+
 #[test]
 fn a_world_does_not_depend_on_the_others() {
     let spread = GroundSpread::new(SpreadOptions::default()).unwrap();
@@ -296,6 +331,7 @@ fn spreads_out_of_range_are_refused() {
             spectral_spread,
             intensity_spread,
             component_correlation,
+            hazard_spread: 0.0,
         })
         .is_ok()
     };

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use freestand_app::assess::Meant;
-use freestand_app::assess::sites::{self, Site};
+use freestand_app::assess::sites::{self, Sites};
 use freestand_app::job::{Job, SITES_SCHEMA, SiteRun, assess_sites};
 use freestand_output::folder::removed_note;
 use freestand_output::streamed::{rows_head, rows_tail};
@@ -19,24 +19,22 @@ use crate::printer::Printer;
 /// Assesses all sites.
 pub(super) fn tell(
     meant: &Meant,
-    sites: &[Site],
+    sites: &Sites,
     global: &GlobalArgs,
     printer: &Printer,
 ) -> Result<Done, Failure> {
-    let runs = sites::read(sites)?;
+    let run = sites::read(sites)?;
     let out = global.folder(FOLDER);
     let job = Job {
         force: global.force,
         ..meant.job
     };
-    let report = watched(printer, |progress| {
-        assess_sites(&runs, &out, &job, progress)
-    })?;
+    let report = watched(printer, |progress| assess_sites(&run, &out, &job, progress))?;
     if let Some(note) = removed_note(&report.removed) {
         printer.note(&note);
     }
     if printer.json() {
-        print_json(&report, &out, &runs, printer)?;
+        print_json(&report, &out, &run.sites, printer)?;
     } else {
         printer.print(&sites_text(&report))?;
     }
@@ -50,7 +48,7 @@ pub(super) fn tell(
     };
     let is_named = meant.fail_on.iter().any(|decision| count(*decision) > 0);
     let failed = report.sites.iter().any(|one| one.report.failed > 0);
-    let has_errors = runs.iter().any(|run| run.inventory.has_errors());
+    let has_errors = run.sites.iter().any(|site| site.inventory.has_errors());
     Ok(Done {
         criterion_met: !(failed || has_errors || is_named),
     })

@@ -15,6 +15,7 @@ use freestand_app::floor::Floor;
 use freestand_app::library::{Search, Tolerances};
 use freestand_app::motion::{MotionConvert, MotionInfo, MotionSpectrum};
 use freestand_app::object::Object;
+use freestand_app::places::{PlaceList, PlaceShow};
 use freestand_app::request::from_entries;
 use freestand_app::restrain::Restrain;
 use freestand_app::rock::Rock;
@@ -35,6 +36,7 @@ use freestand_page::{
     Cancel, Events, History, Kind, MAX_BODY_BYTES, MAX_FILE_BYTES, MAX_RUNNING, MAX_TOTAL_BYTES,
     Program, Refusal, Reply, Request, Shape, Status, columns,
 };
+use freestand_records::tables::hazard;
 use freestand_study::hull::Surface;
 use freestand_study::places::{Place, places};
 use freestand_study::recorded::{MotionFiles, Upward, read_all};
@@ -137,6 +139,9 @@ fn sites() -> Value {
         "nzs1170.5": ["A", "B", "C", "D", "E"],
         "eurocode8": ["A", "B", "C", "D", "E"],
         "asce7": ["A", "B", "C", "D", "E"],
+        "ntc2018": ["A", "B", "C", "D", "E"],
+        "tbdy2018": ["ZA", "ZB", "ZC", "ZD", "ZE"],
+        "ts1170.5": ["I", "II", "III", "IV", "V", "VI"],
     })
 }
 
@@ -186,6 +191,9 @@ fn kind(path: &Path) -> Kind {
     let content = std::fs::read(path).unwrap_or_default();
     if is_mesh(&content) {
         return Kind::Scan;
+    }
+    if hazard::recognised(&content).is_some() {
+        return Kind::Hazard;
     }
     let is_list = Libraries::with_files(None, None)
         .and_then(|libraries| {
@@ -342,7 +350,7 @@ struct Asked {
     writes_a_folder: bool,
 }
 
-const COMMANDS: [Asked; 17] = [
+const COMMANDS: [Asked; 19] = [
     Asked::by::<Object>("object"),
     Asked::by::<Shock>("shock"),
     Asked::by::<Rock>("rock"),
@@ -359,6 +367,8 @@ const COMMANDS: [Asked; 17] = [
     Asked::by::<Assess>("assess"),
     Asked::by::<Restrain>("restrain"),
     Asked::by::<Search<Tolerances>>("tolerance search"),
+    Asked::by::<PlaceList>("place list"),
+    Asked::by::<PlaceShow>("place show"),
     Asked::by::<Validate>("validate"),
 ];
 

@@ -69,6 +69,24 @@ export interface ConvertDocument {
   traces: { velocity_m_s: number[]; displacement_m: number[] }[];
 }
 
+/** A place as the program knows it. */
+export interface PlaceFound {
+  name: string;
+  region: string | null;
+  country: string;
+  code: string;
+  confidence: string;
+  latitude_deg: number | null;
+  longitude_deg: number | null;
+  distance_km: number | null;
+}
+
+/** `freestand place show` and `freestand place list`. */
+export interface PlaceDocument { places: PlaceFound[]; warnings: string[] }
+
+/** `freestand motion code-spectrum`: what a place or a file of hazard means. */
+export interface TargetDocument { place: PlaceFound | null; facts: { name: string; value: string }[]; warnings: string[] }
+
 /** `freestand motion spectrum`. */
 export interface ResponseDocument { periods_s: number[]; sa_g: number[] }
 

@@ -10,23 +10,44 @@ export const TYPED = 'list.csv';
 /** The structures of a building whose first period a code estimates. */
 export const FRAMES = ['steel-moment', 'concrete-moment', 'steel-braced', 'other'] as const;
 
-export interface Building { place: string; site: string; storeys: string; frame: string; period: string }
+export interface Building {
+  place: string; site: string; years: string; storeys: string; frame: string; period: string;
+  /** The peak ground acceleration on rock, in place of a place. */
+  pga: string;
+  /** The name of a file of hazard, which lies beside the study. */
+  hazard: string | null;
+}
 
 const quoted = (text: string) => JSON.stringify(text);
 
+/** A number as it was typed, with this unit where it has none. */
+function withUnit(text: string, unit: string): string {
+  const number = text.trim();
+  return /^\d+(?:[.,]\d+)?$/.test(number) ? `${number.replace(',', '.')} ${unit}` : number;
+}
+
+/** The ground type that is assumed, as where a peak acceleration alone is asked about. */
+const GROUND = 'B';
+
+/** The options of a peak acceleration on rock: the spectrum of Eurocode 8, type 1, on this soil. */
+export function onRock(pga: string, site: string): Record<string, string> {
+  return { code: 'eurocode8', 'spectrum-type': '1', site: site || GROUND, 'ground-acceleration': withUnit(pga, 'g') };
+}
+
 /**
- * A study with this place and building; null where the fields say nothing that needs one: a place, its soil and a number of
- * storeys are options of the command.
+ * A study with this place and building; null where the fields say nothing that needs one: a place with its soil, its return
+ * period and its file, and a number of storeys are options of the command.
  */
-export function studyOf({ place, site, storeys, frame, period }: Building): string | null {
-  if (!frame && !period.trim()) return null;
-  const ground = [...(place.trim() ? [`place = ${quoted(place.trim())}`] : []), ...(site ? [`site = ${quoted(site)}`] : [])];
-  const seconds = /^\d+(?:[.,]\d+)?$/.test(period.trim()) ? `${period.trim().replace(',', '.')} s` : period.trim();
+export function studyOf({ place, site, years, pga, hazard, storeys, frame, period }: Building): string | null {
+  if (!frame && !period.trim() && !pga.trim()) return null;
+  const ground = Object.entries({
+    place: place.trim(), site, return_period_years: years.trim(), spectrum: hazard ?? '', ...(pga.trim() ? onRock(pga, site) : {}),
+  }).filter(([, text]) => text).map(([name, text]) => `${name.replaceAll('-', '_')} = ${quoted(text)}`);
   const building = [
     ...(storeys.trim() ? [`storeys = ${/^\d+$/.test(storeys.trim()) ? Number(storeys) : quoted(storeys.trim())}`] : []),
-    ...(frame ? [`frame = ${quoted(frame)}`] : []), ...(period.trim() ? [`period = ${quoted(seconds)}`] : []),
+    ...(frame ? [`frame = ${quoted(frame)}`] : []), ...(period.trim() ? [`period = ${quoted(withUnit(period, 's'))}`] : []),
   ];
-  return `${ground.length > 0 ? `[ground]\n${ground.join('\n')}\n` : ''}[building]\n${building.join('\n')}\n`;
+  return `${ground.length > 0 ? `[ground]\n${ground.join('\n')}\n` : ''}${building.length > 0 ? `[building]\n${building.join('\n')}\n` : ''}`;
 }
 
 /** What is in the columns of a list, by their headings. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { gShown, inUnits, lengthShown, lengthText, massShown, percent, stiffnessShown } from './units';
+import { distanceShown, gShown, inUnits, lengthShown, lengthText, massShown, percent, stiffnessShown } from './units';
 
 describe('lengths', () => {
   it('are written as one types them', () => {
@@ -10,6 +10,7 @@ describe('lengths', () => {
   it('are shown as people write them', () => {
     expect([1.8, 0.4, 0.0036, 0.00002, 0].map((one) => lengthShown(one, 'si'))).toEqual(['1.80 m', '400 mm', '3.6 mm', '< 1 mm', '0 mm']);
     expect([1.8, 0.0254, 0.0036, 0.0009, 0].map((one) => lengthShown(one, 'us'))).toEqual(['5′ 11″', '1″', '0.14″', '< 0.04″', '0″']);
+    expect([distanceShown(1.68, 'si'), distanceShown(314, 'si'), distanceShown(16.09344, 'us')]).toEqual(['1.7 km', '314 km', '10 mi']);
     expect([massShown(150, 'si'), massShown(150, 'us')]).toEqual(['150 kg', '331 lb']);
   });
 });

@@ -49,6 +49,14 @@ export function lengthShown(metres: number, units: Units): string {
   return `${Math.floor(whole / 12)}′ ${whole % 12}″`;
 }
 
+const MILE_KM = 1.609344;
+
+/** A distance on the Earth for people. */
+export function distanceShown(km: number, units: Units): string {
+  const value = units === 'si' ? km : km / MILE_KM;
+  return `${value < 10 ? value.toFixed(1) : value.toFixed(0)} ${units === 'si' ? 'km' : 'mi'}`;
+}
+
 /** A stiffness for people. */
 export function stiffnessShown(n_m: number, units: Units): string {
   return units === 'si' ? `${Number((n_m / 1000).toPrecision(3))} N/mm` : `${Number((n_m / POUND_PER_INCH_N_M).toPrecision(3))} lb/in`;

@@ -21,7 +21,7 @@ use freestand_input::file::load_up_to;
 use freestand_input::problem::Problem;
 use freestand_input::words::number;
 
-pub use national::TsRow;
+pub use national::{NTC_YEARS, TsRow};
 pub use openquake::AVERAGE_KEY;
 pub use sites::{Coordinates, FARTHEST_KM, Wanted};
 
@@ -185,7 +185,7 @@ pub struct SiteHazard {
     pub at: Option<Coordinates>,
     /// From the coordinates that were asked for to it \[km\].
     pub distance_km: Option<f64>,
-    /// Its curves.
+    /// The curves of a file that has curves.
     pub curves: Vec<Curve>,
     /// Its spectra.
     pub spectra: Vec<ReturnSpectrum>,
@@ -259,8 +259,14 @@ impl SiteHazard {
         }
     }
 
-    /// Curves through its spectra, one for each period that all of them have.
-    fn curves_of_spectra(&self) -> Result<Vec<Curve>, Problem> {
+    /// Its curves; of a file of spectra those through them, one for each period that all of them have.
+    ///
+    /// # Errors
+    /// Spectra whose values do not rise with the return period.
+    pub fn hazard_curves(&self) -> Result<Vec<Curve>, Problem> {
+        if !self.curves.is_empty() {
+            return Ok(self.curves.clone());
+        }
         let mut levels: Vec<(f64, &ReturnSpectrum)> = self
             .spectra
             .iter()
@@ -275,12 +281,14 @@ impl SiteHazard {
                 let value = one.values.iter().find(|value| value.0 == period_s)?;
                 Some((*years, value.1))
             });
-            let points: Vec<(f64, f64)> = points.collect::<Option<_>>()?;
+            let points: Vec<(f64, numbers::Value)> = points
+                .map(|point| point.map(|(years, number)| (years, numbers::at_years(years, number))))
+                .collect::<Option<_>>()?;
             let measure = match period_s {
                 0.0 => GroundMeasure::Pga,
                 _ => GroundMeasure::Sa { period_s },
             };
-            Some(numbers::at_return_periods(measure, points))
+            Some(numbers::at_return_periods(measure, 1.0, points))
         };
         first.values.iter().filter_map(of_period).collect()
     }
@@ -382,15 +390,9 @@ pub fn read_hazard(bytes: &[u8], path: &Path, wanted: &Wanted) -> Result<SiteHaz
             HazardFormat::Afad => national::afad(&table, wanted),
             HazardFormat::Ntc => national::ntc(&table, wanted),
             HazardFormat::Ts1170_5 => national::ts1170_5(&table, wanted),
-            _ => openquake::read(&table, format, wanted),
+            _ => openquake::read(&table, path, format, wanted),
         }),
     };
-    let found = found.and_then(|mut site| {
-        if site.curves.is_empty() {
-            site.curves = site.curves_of_spectra()?;
-        }
-        Ok(site)
-    });
     found.map_err(|problem| problem.in_file(path))
 }
 

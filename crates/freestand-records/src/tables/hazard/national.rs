@@ -3,10 +3,10 @@
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
-use super::numbers::{Exceedance, Value, curve};
+use super::numbers::{PGV_M_S, Value, at_return_periods};
 use super::sites::{Site, Wanted, chosen};
 use super::table::{Head, Row, Table};
-use super::{CodeValues, Curve, GroundMeasure, HazardFormat, SiteHazard};
+use super::{CodeValues, GroundMeasure, HazardFormat, SiteHazard};
 
 pub(super) fn format_of(head: &Head) -> Option<HazardFormat> {
     let has = |name: &str| head.column(name).is_some();
@@ -27,26 +27,6 @@ fn value(table: &Table, row: &Row, name: &str) -> Result<Value, Problem> {
     table.number(row, column)
 }
 
-/// A curve through values at return periods \[years\], the shortest first.
-fn at_return_periods(
-    measure: GroundMeasure,
-    factor: f64,
-    values: impl IntoIterator<Item = (f64, Value)>,
-) -> Result<Curve, Problem> {
-    let points = values.into_iter().map(|(years, value)| {
-        let rate = Value {
-            number: years.recip(),
-            ..value.clone()
-        };
-        let intensity = Value {
-            number: factor * value.number,
-            ..value
-        };
-        (intensity, rate)
-    });
-    curve(measure, points, Exceedance::Rates)
-}
-
 /// The levels of AFAD with their return periods \[years\]: 68 %, 50 %, 10 % and 2 % in 50 years.
 const AFAD_LEVELS: [(&str, f64); 4] = [
     ("DD4", 43.0),
@@ -65,7 +45,7 @@ pub(super) fn afad(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Problem
         ("PGA", GroundMeasure::Pga, 1.0),
         ("Ss", sa(0.2), 1.0),
         ("S1", sa(1.0), 1.0),
-        ("PGV", GroundMeasure::Pgv, 0.01),
+        ("PGV", GroundMeasure::Pgv, PGV_M_S),
     ];
     for (name, measure, factor) in measures {
         let levels = AFAD_LEVELS.map(|(level, years)| {
@@ -86,7 +66,7 @@ pub(super) fn afad(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Problem
 }
 
 /// The return periods of annex B \[years\].
-const NTC_YEARS: [u32; 9] = [30, 50, 72, 101, 140, 201, 475, 975, 2475];
+pub const NTC_YEARS: [u32; 9] = [30, 50, 72, 101, 140, 201, 475, 975, 2475];
 
 /// `ID,LON,LAT,T30ag,T30F0,T30Tc,…`: ag in g/10 on rock, at nodes on ED50, which is some 130 m from WGS 84.
 pub(super) fn ntc(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Problem> {

@@ -33,6 +33,9 @@ pub(super) enum Exceedance {
     Rates,
 }
 
+/// PGV of files, which is in cm/s, in m/s.
+pub(super) const PGV_M_S: f64 = 0.01;
+
 const DOWNLOAD: &str = "download the file again, or correct the value";
 
 /// A curve of intensities in units of its measure, each with its exceedance.
@@ -125,20 +128,33 @@ pub(super) fn curve(
     Ok(out)
 }
 
-/// A curve through intensities at return periods \[years\].
+/// A curve through values at return periods \[years\], the shortest first, each times a factor.
 pub(super) fn at_return_periods(
     measure: GroundMeasure,
-    points: impl IntoIterator<Item = (f64, f64)>,
+    factor: f64,
+    values: impl IntoIterator<Item = (f64, Value)>,
 ) -> Result<Curve, Problem> {
-    let points = points.into_iter().map(|(years, intensity)| {
-        let value = |number| Value {
-            number,
-            place: format!("the value at {years:.0} years"),
-            line: None,
+    let points = values.into_iter().map(|(years, value)| {
+        let rate = Value {
+            number: years.recip(),
+            ..value.clone()
         };
-        (value(intensity), value(years.recip()))
+        let intensity = Value {
+            number: factor * value.number,
+            ..value
+        };
+        (intensity, rate)
     });
     curve(measure, points, Exceedance::Rates)
+}
+
+/// A value of a spectrum at a return period \[years\].
+pub(super) fn at_years(years: f64, number: f64) -> Value {
+    Value {
+        number,
+        place: format!("the value at {years:.0} years"),
+        line: None,
+    }
 }
 
 /// A spectrum of periods with accelerations \[s, g\].
@@ -191,7 +207,7 @@ pub(super) fn measure(text: &str) -> Option<(GroundMeasure, f64)> {
     let text = text.trim();
     match text {
         "PGA" => return Some((GroundMeasure::Pga, 1.0)),
-        "PGV" => return Some((GroundMeasure::Pgv, 0.01)),
+        "PGV" => return Some((GroundMeasure::Pgv, PGV_M_S)),
         _ => {}
     }
     let rest = text.strip_prefix("SA")?;

@@ -1,5 +1,7 @@
 //! Tables of OpenQuake: curves, uniform hazard spectra and maps, and those of AELO.
 
+use std::path::Path;
+
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
@@ -23,6 +25,9 @@ pub(super) fn format_of(head: &Head) -> Option<HazardFormat> {
         () if is_sited && starts("poe-") => Some(HazardFormat::OpenquakeCurves),
         () if is_sited && has("~") => Some(HazardFormat::OpenquakeSpectra),
         () if is_sited && (starts("PGA-0") || starts("PGV-0") || starts("SA(")) => {
+            Some(HazardFormat::OpenquakeMap)
+        }
+        () if is_sited && starts("PGA") && head.comments.contains("OpenQuake") => {
             Some(HazardFormat::OpenquakeMap)
         }
         () if matches!(first, "" | "period" | "imt") && starts("poe-") => Some(HazardFormat::Aelo),
@@ -60,12 +65,54 @@ fn needed<'c>(head: &'c Head, key: &str) -> Result<&'c str, Problem> {
     })
 }
 
+/// The return period in the name of a file, `hazard_map-mean-475y_1.csv`: a map of one return period states it nowhere else.
+fn years_of_name(path: &Path) -> Option<f64> {
+    let name = path.file_stem()?.to_str()?;
+    let years = |part: &str| part.strip_suffix('y')?.parse::<f64>().ok();
+    name.split(['-', '_'])
+        .find_map(years)
+        .filter(|years| *years > 0.0 && years.is_finite())
+}
+
+/// A map of one return period: `lon,lat,PGA,SA(0.2)`, as the engine writes it since its version 3.
+fn map_of_one(table: &Table, path: &Path, wanted: &Wanted) -> Result<SiteHazard, Problem> {
+    let head = &table.head;
+    let years = years_of_name(path).ok_or_else(|| {
+        let message =
+            "neither the headings nor the name of the file state the return period of the map";
+        head.problem(
+            message.to_owned(),
+            "give the file the name that OpenQuake gave it, such as hazard_map-mean-475y_1.csv",
+        )
+    })?;
+    let (mut out, row) = table.site(
+        HazardFormat::OpenquakeMap,
+        table.place_columns()?,
+        None,
+        wanted,
+    )?;
+    out.statistic = stated(head, "kind")?.map(str::to_owned);
+    let mut values: Vec<(f64, Value)> = Vec::new();
+    for (column, name) in head.headings.iter().enumerate() {
+        if let Some(period_s) = measure(name).and_then(|(measure, _)| measure.period_s()) {
+            values.push((period_s, table.number(row, column)?));
+        }
+    }
+    out.spectra = spectra(vec![(years, values)], head)?;
+    Ok(out)
+}
+
 pub(super) fn read(
     table: &Table,
+    path: &Path,
     format: HazardFormat,
     wanted: &Wanted,
 ) -> Result<SiteHazard, Problem> {
     let head = &table.head;
+    let is_map = format == HazardFormat::OpenquakeMap;
+    if is_map && !head.headings.iter().any(|name| name.contains('-')) {
+        return map_of_one(table, path, wanted);
+    }
     let years =
         years(needed(head, "investigation_time")?).map_err(|problem| problem.at_line(head.line))?;
     let mut out = SiteHazard::of(format);

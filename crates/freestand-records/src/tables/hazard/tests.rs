@@ -238,6 +238,47 @@ fn damaged_curves_are_refused_with_their_place() {
 const HEAD: &str =
     "#,,,,\"generated_by='OpenQuake engine 3.15.0', kind='rlz-001', investigation_time=1.0\"\n";
 
+/// The headings of files that the engine 3.26.2 wrote for one area source, with made-up numbers: a map has one return period, in
+/// its name alone, and the probabilities of a spectrum are those in the investigation time.
+#[test]
+fn files_of_the_engine() {
+    let comment = "#,,,,\"generated_by='OpenQuake engine 3.26.2', start_date='2026-11-29T16:45:01', checksum=233251172\"\n";
+    let map = format!(
+        "{comment}lon,lat,PGA,SA(0.2),SA(1.0)\n10.00000,45.00000,1.6E-01,3.3E-01,5.8E-02\n"
+    );
+    let of =
+        |name: &str, text: &str| read_hazard(text.as_bytes(), name.as_ref(), &Wanted::default());
+    let site = of("hazard_map-mean-475y_1.csv", &map).unwrap();
+    assert_eq!(
+        (site.format, site.return_periods()),
+        (HazardFormat::OpenquakeMap, vec![475.0])
+    );
+    let found = site.spectrum(Some(475.0)).unwrap();
+    assert_eq!(found.values, [(0.0, 0.16), (0.2, 0.33), (1.0, 0.058)]);
+    let only_pga = format!("{comment}lon,lat,PGA\n10.0,45.0,0.16\n");
+    let site = of("hazard_map-mean-2475y_7.csv", &only_pga).unwrap();
+    assert_eq!(site.return_periods(), [2475.0]);
+    refused(
+        of("map.csv", &map),
+        Some(2),
+        "state the return period of the map",
+    );
+    let spectra = "#,,,,,,,\"generated_by='OpenQuake engine 3.26.2', kind='mean', investigation_time=50.0\"\n\
+                   lon,lat,0.100000~PGA,0.100000~SA(0.2),0.020000~PGA,0.020000~SA(0.2)\n10.0,45.0,0.16,0.33,0.37,0.77\n";
+    let site = of("hazard_uhs-mean_1.csv", spectra).unwrap();
+    close(site.return_periods()[0], -50.0 / (-0.1_f64).ln_1p());
+    assert_eq!(
+        site.spectrum(Some(475.0)).unwrap().values,
+        [(0.0, 0.16), (0.2, 0.33)]
+    );
+    // A spectrum that falls with the return period at one period is no reason to refuse the others.
+    let falling = spectra.replace("0.37,0.77", "0.37,0.33");
+    let site = of("hazard_uhs-mean_1.csv", &falling).unwrap();
+    assert!(site.spectrum(Some(475.0)).is_ok());
+    let told = site.hazard_curves().unwrap_err();
+    assert!(told.message.contains("the value at 2475 years"), "{told}");
+}
+
 /// Both hold the same numbers; PGA is the value at 0 s. A probability of 0.002105 in a year is 474.6 years.
 #[test]
 fn spectra_and_maps_of_openquake() {
@@ -259,14 +300,12 @@ fn spectra_and_maps_of_openquake() {
         assert_eq!(found.values, [(0.0, 0.25), (0.2, 0.5), (1.0, 0.2)]);
         assert_eq!(site.spectrum(Some(2475.0)).unwrap().values[1], (0.2, 1.0));
         // Two return periods make a curve for each period.
-        let measures: Vec<GroundMeasure> = site.curves.iter().map(|one| one.measure).collect();
+        let curves = site.hazard_curves().unwrap();
+        let measures: Vec<GroundMeasure> = curves.iter().map(|one| one.measure).collect();
         let sa = |period_s| GroundMeasure::Sa { period_s };
         assert_eq!(measures, [GroundMeasure::Pga, sa(0.2), sa(1.0)]);
-        assert_eq!(
-            (site.curves[1].points[1].0, site.curves[1].points.len()),
-            (1.0, 2)
-        );
-        close(site.curves[1].points[0].1, years[0].recip());
+        assert_eq!((curves[1].points[1].0, curves[1].points.len()), (1.0, 2));
+        close(curves[1].points[0].1, years[0].recip());
         let several = site.spectrum(None).unwrap_err();
         assert!(
             several.message.contains("spectra at 475, 2475 years"),

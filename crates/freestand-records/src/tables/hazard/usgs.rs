@@ -6,7 +6,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use serde_json::Value as Json;
 
-use super::numbers::{Exceedance, Value, coordinates, curve, measure};
+use super::numbers::{Exceedance, PGV_M_S, Value, coordinates, curve, measure};
 use super::sites::{Site, Wanted, chosen};
 use super::table::{Head, Table};
 use super::{Coordinates, Curve, GroundMeasure, HazardFormat, SiteHazard};
@@ -75,7 +75,7 @@ pub(super) fn curves_table(
 /// nshmp-haz writes PGV in cm/s.
 fn factor_of(measure: GroundMeasure) -> f64 {
     if measure == GroundMeasure::Pgv {
-        0.01
+        PGV_M_S
     } else {
         1.0
     }

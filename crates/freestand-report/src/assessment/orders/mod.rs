@@ -4,9 +4,10 @@
 mod drawing;
 mod parts;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 
 use freestand_assess::restraint::anchors::{bracket_at, of_each_anchor};
+use freestand_input::file_names;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
@@ -16,7 +17,6 @@ use freestand_output::html::{
     CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, markup, opening, paragraph, properties,
     table, words,
 };
-use freestand_output::paths::safe_stem;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 use freestand_study::study::TitleBlock;
 
@@ -80,21 +80,15 @@ pub(super) fn orders<'p>(plan: &'p BudgetPlan, sites: Option<&'p [String]>) -> V
         let place = [site, &object.building, &object.floor, room].map(str::trim);
         rooms.entry(place).or_default().push(row);
     }
-    // Names that differ in case alone are one file on some systems.
-    let mut taken = BTreeSet::new();
+    let mut taken = HashSet::new();
     let mut order = |(place, rows): (Place, Vec<&'p PlanRow>)| {
         let [site, building, floor, room] = place;
         let given: Vec<&str> = place.into_iter().filter(|part| !part.is_empty()).collect();
         let stem = match room {
-            "" => safe_stem(&format!("{} no room", given.join(" "))),
-            _ => safe_stem(&given.join(" ")),
+            "" => file_names::of_words(&format!("{} no room", given.join(" "))),
+            _ => file_names::of_words(&given.join(" ")),
         };
-        let mut name = stem.clone();
-        let mut count = 1;
-        while !taken.insert(name.to_lowercase()) {
-            count += 1;
-            name = format!("{stem}-{count}");
-        }
+        let name = file_names::unique(&stem, &mut taken);
         let above: Vec<&str> = [site, building, floor]
             .into_iter()
             .filter(|part| !part.is_empty())

@@ -1,0 +1,267 @@
+//! What earthquakes cost at all sites together, and what an insurance pays of it.
+
+use freestand::decision::strip_rates;
+use freestand::risk::{
+    Amounts, Dependence, Hazard, LossLevel, SIMULATED_YEARS, SimulatedLosses, SiteLosses, Terms,
+    correlations, reached_once_in, simulate,
+};
+use freestand_assess::verdict::Restrained;
+use freestand_output::{answer, answer_of};
+use freestand_records::tables::hazard::Coordinates;
+
+use super::{Budget, Candidate, Priced, rate};
+
+/// How far earthquakes of sites belong together, where nobody states it: about the middle of the ranges of Jayaram and
+/// Baker (2009), 8.5 to 41 km by period and ground. An assumption.
+const ASSUMED_RANGE_KM: f64 = 20.0;
+
+/// The return periods whose losses are stated \[years\].
+const RETURN_PERIODS: [u32; 7] = [10, 25, 50, 100, 250, 500, 1000];
+
+/// What the falls of all objects of a list cost.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Losses {
+    /// In each world, by strength.
+    levels: Vec<LossLevel>,
+    /// Days that objects are missing a year, added up; `None`: the list has no downtime.
+    downtime_days: Option<f64>,
+    /// Whether weaker earthquakes add to it.
+    is_at_least: bool,
+}
+
+impl Budget {
+    /// `None`: the list has no costs.
+    pub(super) fn losses(
+        &self,
+        candidates: &[Candidate],
+        found: &[Option<Restrained>],
+        hazard: &Hazard,
+    ) -> Option<Losses> {
+        if !self.has_costs {
+            return None;
+        }
+        let costing = || {
+            let all = candidates.iter().zip(found);
+            all.filter_map(|(one, found)| {
+                let cost = self.costs.get(&one.item.id)?;
+                Some((f64::from(one.item.quantity), cost, found.as_ref()?))
+            })
+        };
+        let mut found = Losses {
+            levels: Vec::new(),
+            downtime_days: (self.costs.values())
+                .any(|cost| cost.downtime_days.is_some())
+                .then_some(0.0),
+            is_at_least: false,
+        };
+        let Some((_, _, first)) = costing().next() else {
+            return Some(found);
+        };
+        let intensities: Vec<f64> = first.free.iter().map(|one| one.intensity_ratio).collect();
+        let rates = strip_rates(&intensities, |ratio| hazard.annual_rate(ratio)).ok()?;
+        for (level, annual_rate) in rates.into_iter().enumerate() {
+            let falls = |one: &Restrained| one.falls.get(level).cloned().unwrap_or_default();
+            let worlds = costing().map(|(_, _, one)| falls(one).len()).max()?;
+            let mut losses = vec![0.0; worlds];
+            for (quantity, cost, one) in costing() {
+                // Objects that take long to follow have fewer worlds: theirs are repeated.
+                let each = losses.iter_mut().zip(falls(one).into_iter().cycle());
+                each.filter(|(_, falls)| *falls)
+                    .for_each(|(loss, _)| *loss += quantity * cost.overturned());
+            }
+            found.levels.push(LossLevel {
+                annual_rate,
+                losses,
+            });
+        }
+        for (quantity, cost, one) in costing() {
+            let (falls, is_at_least) = rate(&one.free, hazard)?;
+            found.is_at_least |= is_at_least && cost.has_costs();
+            if let (Some(sum), Some(days)) = (&mut found.downtime_days, cost.downtime_days) {
+                *sum += quantity * falls * days;
+            }
+        }
+        Some(found)
+    }
+}
+
+/// What is insured, and how earthquakes of sites belong together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Insured {
+    /// What is paid of what the sites pay together in an earthquake.
+    pub policy: Terms,
+    /// r of the correlation exp(−3h/r) \[km\]; `None`: [`ASSUMED_RANGE_KM`].
+    pub range_km: Option<f64>,
+}
+
+/// A site and its losses.
+pub struct InsuredSite<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Where it is.
+    pub at: Option<Coordinates>,
+    /// What is paid of its loss in an earthquake.
+    pub terms: Terms,
+    /// What its list costs.
+    pub priced: &'a Priced,
+}
+
+/// Why losses of all sites are not known.
+#[derive(Debug, Clone, PartialEq)]
+pub enum UnknownLosses {
+    /// No yearly rate is known at this site.
+    NoRates(String),
+    /// The list of this site has no costs of a fall.
+    NoCosts(String),
+}
+
+/// A loss of all sites that is reached once in so many years.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LossRow {
+    /// How earthquakes of the sites belong together.
+    pub dependence: &'static str,
+    /// How rare \[years\].
+    pub return_period_years: u32,
+    /// In one earthquake.
+    pub event: Amounts,
+    /// In one year.
+    pub year: Amounts,
+}
+
+answer_of!(LossRow as row {
+    /// `independent`: each earthquake is at one site; `correlated`: it is at all of them, as alike as their distance
+    /// makes it; `common`: the sites are as one.
+    dependence: &'static str = row.dependence;
+    return_period_years: usize = row.return_period_years as usize;
+    /// Of all sites in one earthquake.
+    event_loss: f64 = row.event.loss;
+    /// What deductibles and limits leave of it.
+    event_paid: f64 = row.event.paid;
+    /// Of all sites in one year.
+    year_loss: f64 = row.year.loss;
+    year_paid: f64 = row.year.paid;
+});
+
+answer! {
+    /// What a site loses a year on average.
+    pub struct LossOfSite {
+        /// Its name.
+        site: String,
+        /// Where it is, on WGS 84.
+        latitude_deg: Option<f64>,
+        /// East positive.
+        longitude_deg: Option<f64>,
+        /// On average.
+        annual_loss: f64,
+        /// What its deductible and its limit leave of it.
+        annual_paid: f64,
+        /// Whether weaker earthquakes add to it.
+        annual_loss_is_at_least: bool,
+        /// Days that objects are missing, added up; `null`: the list has no downtime.
+        downtime_days_per_year: Option<f64>,
+    }
+
+    /// What all sites lose together.
+    pub struct SitesLosses {
+        /// That of the budget.
+        currency: String,
+        /// Of all sites, on average.
+        annual_loss: f64,
+        /// Whether weaker earthquakes add to it.
+        annual_loss_is_at_least: bool,
+        /// r of the correlation exp(−3h/r); `null`: the coordinates of a site are not known.
+        correlation_range_km: Option<f64>,
+        /// Whether nobody states it.
+        correlation_range_is_assumed: bool,
+        /// Whether there is a deductible or a limit.
+        is_insured: bool,
+        /// From which the rows are.
+        simulated_years: usize,
+        /// Each site.
+        sites: Vec<LossOfSite>,
+        /// Losses by dependence and return period.
+        rows: Vec<LossRow>,
+    }
+}
+
+/// What all sites lose, if their earthquakes are independent, correlated and common.
+///
+/// # Errors
+/// Why it is not known.
+pub fn losses_over_sites(
+    budget: &Budget,
+    sites: &[InsuredSite],
+    insured: Insured,
+    seed: u64,
+) -> Result<SitesLosses, UnknownLosses> {
+    let mut all: Vec<SiteLosses> = Vec::new();
+    let mut told: Vec<LossOfSite> = Vec::new();
+    for site in sites {
+        let name = || site.name.to_owned();
+        if !site.priced.has_costs {
+            return Err(UnknownLosses::NoCosts(name()));
+        }
+        let Some(losses) = &site.priced.losses else {
+            return Err(UnknownLosses::NoRates(name()));
+        };
+        let own = SiteLosses {
+            levels: losses.levels.clone(),
+            terms: site.terms,
+        };
+        told.push(LossOfSite {
+            site: name(),
+            latitude_deg: site.at.map(|at| at.latitude_deg),
+            longitude_deg: site.at.map(|at| at.longitude_deg),
+            annual_loss: own.expected_loss_per_year(),
+            annual_paid: own.expected_payment_per_year(),
+            annual_loss_is_at_least: losses.is_at_least,
+            downtime_days_per_year: losses.downtime_days,
+        });
+        all.push(own);
+    }
+    let range_km = insured.range_km.unwrap_or(ASSUMED_RANGE_KM);
+    let places: Option<Vec<Coordinates>> = sites.iter().map(|site| site.at).collect();
+    let distances_km = |places: Vec<Coordinates>| -> Vec<Vec<f64>> {
+        let from = |one: &Coordinates| places.iter().map(|two| one.distance_km(*two)).collect();
+        places.iter().map(from).collect()
+    };
+    let correlated = places.map(|places| correlations(&distances_km(places), range_km));
+    let is_placed = correlated.is_some();
+    let dependences = [
+        ("independent", Some(Dependence::Independent)),
+        ("correlated", correlated.map(Dependence::Correlated)),
+        ("common", Some(Dependence::Common)),
+    ];
+    let mut rows = Vec::new();
+    for (dependence, how) in dependences {
+        let Some(how) = how else { continue };
+        let SimulatedLosses { events, totals } = simulate(&all, &how, insured.policy, seed);
+        rows.extend(RETURN_PERIODS.map(|return_period_years| {
+            let reached = |all: &[Amounts]| {
+                let years = f64::from(return_period_years);
+                Amounts {
+                    loss: reached_once_in(years, all.iter().map(|one| one.loss)),
+                    paid: reached_once_in(years, all.iter().map(|one| one.paid)),
+                }
+            };
+            LossRow {
+                dependence,
+                return_period_years,
+                event: reached(&events),
+                year: reached(&totals),
+            }
+        }));
+    }
+    let terms = sites.iter().map(|site| site.terms);
+    Ok(SitesLosses {
+        currency: budget.currency.clone(),
+        annual_loss: told.iter().map(|one| one.annual_loss).sum(),
+        annual_loss_is_at_least: told.iter().any(|one| one.annual_loss_is_at_least),
+        correlation_range_km: is_placed.then_some(range_km),
+        correlation_range_is_assumed: insured.range_km.is_none(),
+        is_insured: terms.chain([insured.policy]).any(|one| one != Terms::ALL),
+        simulated_years: SIMULATED_YEARS as usize,
+        sites: told,
+        rows,
+    })
+}
