@@ -303,7 +303,11 @@ fn policy(item: &Item, currency: Option<&str>) -> Result<Insured, Problems> {
     );
     let range = own.correlation_range.as_ref().map(Written::text);
     let range_m = range.map(|text| parse_positive(&text, Dimension::Length, "correlation_range"));
-    let range_m = problems.keep(range_m.transpose()).flatten();
+    let range_m = range_m.transpose().map_err(|mut problem| {
+        problem.message = format!("correlation_range: {}", problem.message);
+        problem
+    });
+    let range_m = problems.keep(range_m).flatten();
     problems.finish(Some(Insured {
         policy,
         range_km: range_m.map(|range_m| 1e-3 * range_m),

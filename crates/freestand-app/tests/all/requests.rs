@@ -569,7 +569,7 @@ fn of_programs() -> Vec<Asked> {
         ),
         (
             "spectrum",
-            json!({"heights": [1], "thicknesses": [0.3], "place": "Lisbon", "return_period_years": 500}),
+            json!({"heights": [1], "thicknesses": [0.3], "place": "Lisbon", "return_period_years": 50}),
         ),
         (
             "restrain",

@@ -207,6 +207,6 @@ fn places_are_listed_and_shown() {
         freestand(&["place", "list", "--json"])
             .matches("\"confidence\":")
             .count(),
-        1597
+        4197
     );
 }

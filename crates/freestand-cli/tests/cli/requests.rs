@@ -107,6 +107,7 @@ fn typed(requests: impl Iterator<Item = Value>) {
             "assess_anchored",
             "resume",
             "outcomes",
+            "allow_recalled",
             "cards",
             "strict",
             "discrete",

@@ -53,7 +53,20 @@ fn restrain_by_place_code_study_and_acceleration() {
     cases::each("restrain_by_place_code_study_and_acceleration", &all);
     let sheet = std::fs::read_to_string(folder.path().join("out/restraint.html")).unwrap();
     assert!(
-        sheet.contains("<svg") && sheet.contains("Date and signature"),
+        sheet.contains("<svg") && sheet.contains("DRAFT") && !sheet.contains("Date and signature"),
+        "a factor is to be confirmed: {sheet}"
+    );
+    let signed = [
+        "--floor-acceleration",
+        "0.9 g",
+        "--allow-recalled",
+        "--out",
+        "signed",
+    ];
+    with(&signed);
+    let sheet = std::fs::read_to_string(folder.path().join("signed/restraint.html")).unwrap();
+    assert!(
+        sheet.contains("Date and signature") && !sheet.contains("DRAFT"),
         "{sheet}"
     );
 }

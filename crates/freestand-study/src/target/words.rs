@@ -127,14 +127,14 @@ fn at_return_period(reader: &mut WordReader, place: Place) -> Option<Place> {
                 "the values of {} have no return period, so that none can be derived from them",
                 place.name
             ),
-            "leave `return_period_years` out",
+            format!("leave `{key}` out"),
         ),
         Err(NotDerived::Beyond) => {
             let [first, last] = CONVERTED_YEARS;
             reader.note(
                 &[key],
                 format!("`{key}` {} is outside of the {first} to {last} years to which values are converted", shorten(text)),
-                format!("give {first} to {last} years, or a spectrum of your own as `spectrum`"),
+                format!("give {first} to {last} years, or a spectrum of your own"),
             );
         }
     }
