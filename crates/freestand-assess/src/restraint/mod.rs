@@ -34,7 +34,7 @@ pub(crate) const ASSUMED_INSET_M: f64 = 0.075;
 pub(crate) const INSET_SHARE: f64 = 0.25;
 
 /// Distance of the anchors from the edge of a base that they hold down \[m\]: the stated one, else
-/// [`ASSUMED_INSET_M`], but not more than [`INSET_SHARE`] of the base.
+/// 75 mm, but not more than a quarter of the base.
 pub fn inset_m(stated_m: Option<f64>, base_m: f64) -> f64 {
     stated_m.unwrap_or_else(|| ASSUMED_INSET_M.min(INSET_SHARE * base_m))
 }

@@ -46,6 +46,7 @@ mod same_answer;
 #[cfg(feature = "page")]
 mod serve;
 mod serve_options;
+mod serve_signals;
 #[cfg(unix)]
 mod shards;
 mod shock;

@@ -90,7 +90,7 @@ impl Budget {
 pub struct Insured {
     /// What is paid of what the sites pay together in an earthquake.
     pub policy: Terms,
-    /// r of the correlation exp(−3h/r) \[km\]; `None`: [`ASSUMED_RANGE_KM`].
+    /// r of the correlation exp(−3h/r) \[km\]; `None`: 20 km, assumed.
     pub range_km: Option<f64>,
 }
 
