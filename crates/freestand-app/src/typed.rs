@@ -215,9 +215,7 @@ const CALLS: [Call; 8] = [
         instead: &[],
         takes: |key| {
             // Several sites are a loop in Python.
-            let others = [
-                "format", "pages", "cards", "date", "preparer", "revision", "fail_on", "sites",
-            ];
+            let others = ["format", "pages", "cards", "fail_on", "sites"];
             !others.contains(&key)
         },
     },

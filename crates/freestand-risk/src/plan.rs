@@ -139,7 +139,8 @@ answer_of!(Chosen as chosen {
     chosen: Vec<&Worth> = chosen.chosen.iter().collect();
     /// What people need and the budget does not reach.
     unfunded_life_safety: Vec<&Worth> = chosen.unfunded.iter().collect();
-    unfunded_life_safety_cost: f64 = chosen.unfunded.iter().map(|worth| worth.cost).sum();
+    // An empty sum is −0.
+    unfunded_life_safety_cost: f64 = chosen.unfunded.iter().fold(0.0, |sum, worth| sum + worth.cost);
     method: &'static str = "dynamic programming with bounds";
     /// No plan is worth more.
     bound: f64 = chosen.plan.bound;

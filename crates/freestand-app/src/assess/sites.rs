@@ -87,6 +87,9 @@ pub struct Site {
     pub terms: Terms,
 }
 
+/// The folders beside those of the sites.
+const SHARED_FOLDERS: [&str; 2] = ["orders", "openquake"];
+
 /// The sites of a file, each asked what `request` asks.
 ///
 /// # Errors
@@ -159,7 +162,11 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Site
         let taken = sites
             .iter()
             .any(|site| file_names::same_file(&site.name) == file_names::same_file(name));
-        if let Some(why) = file_names::unfit(name).or(taken.then_some("two sites have this name")) {
+        let is_shared = SHARED_FOLDERS.contains(&file_names::same_file(name).as_str());
+        let why = file_names::unfit(name)
+            .or(taken.then_some("two sites have this name"))
+            .or(is_shared.then_some("a folder of this name has what the sites share"));
+        if let Some(why) = why {
             let hint = "give it a name of letters, digits, spaces, hyphens and dots: it is that of its folder";
             problems.push(of_site(Problem::value(why, hint)));
             continue;

@@ -9,7 +9,9 @@ use freestand_inventory::Inventory;
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::json::document;
 use freestand_report::assessment::{SHARED_NAMES, SitesReport, write_sites};
-use freestand_risk::budget::{Budget, Insured, InsuredSite, losses_over_sites, plan_over_sites};
+use freestand_risk::budget::{
+    Budget, Insured, InsuredSite, exposure, losses_over_sites, plan_over_sites,
+};
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::Progress;
 use freestand_study::study::Study;
@@ -19,6 +21,9 @@ use super::{Beside, Job, Spending, Told, assess_telling};
 
 /// Schema of the document of several sites.
 pub const SITES_SCHEMA: &str = "freestand.assess.sites/1";
+
+/// The folder of the exposure for OpenQuake.
+const EXPOSURE: &str = "openquake";
 
 /// A site with everything that its assessment needs.
 pub struct SiteRun {
@@ -92,20 +97,26 @@ pub fn assess_sites(
         reports.push((site.name.clone(), report));
     }
     let mut report = SitesReport::of(reports, target);
-    if let (Some((_, budget, _)), Some(first)) = (priced.first(), sites.first()) {
-        let insured = sites.iter().zip(&priced).map(|(site, (_, _, priced))| {
-            let target = site.study.ground.code_spectrum();
-            let place = target.and_then(|target| target.place.as_ref());
-            InsuredSite {
-                name: &site.name,
-                at: place.and_then(|place| place.coordinates),
-                terms: site.terms,
-                priced,
-            }
-        });
+    let mut exposed = None;
+    if let Some(first) = sites.first().filter(|_| !priced.is_empty()) {
+        let insured = sites
+            .iter()
+            .zip(&priced)
+            .map(|(site, (_, budget, priced))| {
+                let target = site.study.ground.code_spectrum();
+                let place = target.and_then(|target| target.place.as_ref());
+                InsuredSite {
+                    name: &site.name,
+                    at: place.and_then(|place| place.coordinates),
+                    terms: site.terms,
+                    budget,
+                    priced,
+                }
+            });
         let seed = first.study.assessment.seed;
         let insured: Vec<InsuredSite> = insured.collect();
-        report = report.losing(losses_over_sites(budget, &insured, run.insured, seed));
+        report = report.losing(losses_over_sites(&insured, run.insured, seed));
+        exposed = exposure(&insured)?;
     }
     if let Some((plan, names)) = plan_over_sites(priced, progress) {
         report = report.planned(plan, names);
@@ -116,6 +127,9 @@ pub fn assess_sites(
     }
     let title = sites.first().map(|site| site.study.outputs.title.clone());
     write_sites(&folder, &report, &title.unwrap_or_default(), job.signing)?;
+    for (name, bytes) in exposed.into_iter().flatten() {
+        folder.write(&format!("{EXPOSURE}/{name}"), &bytes)?;
+    }
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());
     report.files.sort_unstable();

@@ -81,6 +81,16 @@ fn sites_lose_together() {
     let correlated = number(&row("correlated", 1000)["event_loss"]);
     assert!(correlated > 8_000.0, "{correlated}");
     assert!(here.join("out/losses.svg").exists());
+    let exposure = std::fs::read_to_string(here.join("out/openquake/exposure.csv")).unwrap();
+    let lines: Vec<&str> = exposure.lines().collect();
+    assert_eq!(lines.len(), 5);
+    assert_eq!(lines[0], "id,lon,lat,taxonomy,number,contents");
+    assert!(
+        lines[1].starts_with("A-1,174.7") && lines[1].ends_with(",A-1,1,5000"),
+        "{exposure}"
+    );
+    let model = std::fs::read_to_string(here.join("out/openquake/exposure.xml")).unwrap();
+    assert!(model.contains("unit=\"NZD\""));
     // What is wrong is said of its table.
     let wrong = file
         .replace("1000 NZD", "1000 EUR")

@@ -478,6 +478,9 @@ def assess(
     cushion_library: PathLike | None = None,
     parquet: bool = False,
     outcomes: bool = False,
+    date: str | None = None,
+    preparer: str | None = None,
+    revision: str | None = None,
     since: PathLike | None = None,
     allow_recalled: bool = False,
     budget: str | None = None,
@@ -519,6 +522,8 @@ def assess(
         Whether anchored objects are assessed as if they were free.
     parquet, outcomes : bool, default False
         Whether to write objects.parquet, and what happened to every object in every world.
+    date, preparer, revision : str, optional
+        What the report states at its head; without them there are lines to fill in.
     since : path, optional
         Folder of an earlier assessment: the result then has `since`, with what is new, gone, done or worse.
     allow_recalled : bool, default False
@@ -548,7 +553,8 @@ def assess(
         fault_distance_m=fault_distance_m, fault_magnitude=fault_magnitude, sheet=sheet, edit=edits,
         storeys=storeys, strict=flag("strict", strict), assess_anchored=flag("assess_anchored", assess_anchored),
         format=["csv", "parquet"] if flag("parquet", parquet) else None, outcomes=flag("outcomes", outcomes),
-        resume=flag("resume", resume), allow_recalled=flag("allow_recalled", allow_recalled),
+        resume=flag("resume", resume), date=date, preparer=preparer, revision=revision,
+        allow_recalled=flag("allow_recalled", allow_recalled),
         budget=budget, horizon_years=horizon_years, discount_ratio=discount_ratio,
     )  # fmt: skip
     files = study_file(study) | {

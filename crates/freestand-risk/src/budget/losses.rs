@@ -6,10 +6,13 @@ use freestand::risk::{
     correlations, reached_once_in, simulate,
 };
 use freestand_assess::verdict::Restrained;
+use freestand_input::problem::Problem;
 use freestand_output::{answer, answer_of};
 use freestand_records::tables::hazard::Coordinates;
 
 use super::{Budget, Candidate, Priced, rate};
+use crate::costs::CostRow;
+use crate::export::{Exposed, exposure_of_sites};
 
 /// How far earthquakes of sites belong together, where nobody states it: about the middle of the ranges of Jayaram and
 /// Baker (2009), 8.5 to 41 km by period and ground. An assumption.
@@ -102,6 +105,8 @@ pub struct InsuredSite<'a> {
     pub at: Option<Coordinates>,
     /// What is paid of its loss in an earthquake.
     pub terms: Terms,
+    /// Its budget, with what falls cost there.
+    pub budget: &'a Budget,
     /// What its list costs.
     pub priced: &'a Priced,
 }
@@ -184,12 +189,31 @@ answer! {
     }
 }
 
+/// The exposure of all sites for OpenQuake; `None`: the coordinates of one are not known.
+///
+/// # Errors
+/// A table that cannot be made.
+pub fn exposure(sites: &[InsuredSite]) -> Result<Option<Vec<(String, Vec<u8>)>>, Problem> {
+    let mut objects = Vec::new();
+    for site in sites {
+        let Some(at) = site.at else { return Ok(None) };
+        let mut costs: Vec<&CostRow> = site.budget.costs.values().collect();
+        costs.sort_by_key(|cost| cost.line);
+        objects.extend(costs.into_iter().map(|cost| Exposed {
+            site: site.name,
+            at,
+            cost,
+        }));
+    }
+    let currency = sites.first().map_or("", |site| &site.budget.currency);
+    exposure_of_sites(currency, &objects).map(Some)
+}
+
 /// What all sites lose, if their earthquakes are independent, correlated and common.
 ///
 /// # Errors
 /// Why it is not known.
 pub fn losses_over_sites(
-    budget: &Budget,
     sites: &[InsuredSite],
     insured: Insured,
     seed: u64,
@@ -254,7 +278,9 @@ pub fn losses_over_sites(
     }
     let terms = sites.iter().map(|site| site.terms);
     Ok(SitesLosses {
-        currency: budget.currency.clone(),
+        currency: sites
+            .first()
+            .map_or_else(String::new, |site| site.budget.currency.clone()),
         annual_loss: told.iter().map(|one| one.annual_loss).sum(),
         annual_loss_is_at_least: told.iter().any(|one| one.annual_loss_is_at_least),
         correlation_range_km: is_placed.then_some(range_km),

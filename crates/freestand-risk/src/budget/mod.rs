@@ -6,7 +6,8 @@ mod rates;
 mod uses;
 
 pub use losses::{
-    Insured, InsuredSite, LossOfSite, LossRow, SitesLosses, UnknownLosses, losses_over_sites,
+    Insured, InsuredSite, LossOfSite, LossRow, SitesLosses, UnknownLosses, exposure,
+    losses_over_sites,
 };
 
 pub use fitting::{Fitting, ToFit};

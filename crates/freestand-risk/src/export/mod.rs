@@ -4,6 +4,8 @@ mod openquake;
 mod pelicun;
 mod points;
 
+pub use openquake::{Exposed, exposure_of_sites};
+
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 

@@ -10,9 +10,12 @@ use serde_json::json;
 
 use crate::costs::CostRow;
 use crate::fragility::{At, FragilityReport, Measure, MeasuredHazard};
-use freestand_records::tables::hazard::AVERAGE_KEY;
+use freestand_records::tables::hazard::{AVERAGE_KEY, Coordinates};
 
-use super::{ExportDoubt, ExportObject, ExportRequest, Files, Listed, Shape, sources};
+use super::{
+    ExportDoubt, ExportObject, ExportRequest, Files, Listed, OPENQUAKE_IDS, Shape, plain_ids,
+    sources,
+};
 
 /// Years of the damage that the classical job states.
 const RISK_YEARS: u32 = 50;
@@ -271,6 +274,58 @@ fn hazard_csv(
     Ok(text)
 }
 
+/// What is at which site, and what it is worth: `exposure.xml` and its assets.
+fn exposure(currency: &str, assets: Vec<Vec<String>>) -> Result<Files, Problem> {
+    let currency = escaped(currency);
+    let model = format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<nrml xmlns=\"http://openquake.org/xmlns/nrml/0.5\">\n  \
+         <exposureModel id=\"freestand\" category=\"contents\">\n    <description>free-standing \
+         objects</description>\n    <conversions>\n      <costTypes>\n        <costType name=\"contents\" \
+         type=\"aggregated\" unit=\"{currency}\"/>\n      </costTypes>\n    </conversions>\n    \
+         <assets>exposure.csv</assets>\n  </exposureModel>\n</nrml>\n"
+    );
+    let header = ["id", "lon", "lat", "taxonomy", "number", "contents"];
+    Ok(vec![
+        ("exposure.xml".to_owned(), model.into_bytes()),
+        ("exposure.csv".to_owned(), csv(&header, assets.into_iter())?),
+    ])
+}
+
+/// An object at one of several sites.
+pub struct Exposed<'a> {
+    /// The site.
+    pub site: &'a str,
+    /// Where the site is.
+    pub at: Coordinates,
+    /// The object, with its cost.
+    pub cost: &'a CostRow,
+}
+
+/// The exposure of several sites for OpenQuake, NRML 0.5: each object where its site is, with its replacement cost (0 where the
+/// list has none). Its id, and its taxonomy, are the site and the id of the list.
+///
+/// # Errors
+/// A table that cannot be made.
+pub fn exposure_of_sites(currency: &str, objects: &[Exposed]) -> Result<Files, Problem> {
+    let own: Vec<String> = objects
+        .iter()
+        .map(|one| format!("{}-{}", one.site, one.cost.id))
+        .collect();
+    let ids = plain_ids(
+        &own.iter().map(String::as_str).collect::<Vec<_>>(),
+        &OPENQUAKE_IDS,
+    );
+    let asset = |(one, id): (&Exposed, &String)| {
+        let value = one.cost.replacement.unwrap_or(0.0);
+        let degrees = [one.at.longitude_deg, one.at.latitude_deg].map(round);
+        let amounts = [one.cost.quantity, one.cost.quantity * value];
+        let [lon, lat] = degrees.map(shortest);
+        let [number, contents] = amounts.map(shortest);
+        vec![id.clone(), lon, lat, id.clone(), number, contents]
+    };
+    exposure(currency, objects.iter().zip(&ids).map(asset).collect())
+}
+
 /// The files of a folder for OpenQuake, by their names in it: a scenario with one ground motion
 /// field and, with a hazard, classical damage.
 ///
@@ -335,20 +390,8 @@ pub(super) fn files(
             env!("CARGO_PKG_VERSION")
         ))
     );
-    let currency = escaped(listed.currency.unwrap_or("USD"));
-    let exposure = format!(
-        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<nrml xmlns=\"http://openquake.org/xmlns/nrml/0.5\">\n  \
-         <exposureModel id=\"freestand\" category=\"contents\">\n    <description>free-standing \
-         objects</description>\n    <conversions>\n      <costTypes>\n        <costType name=\"contents\" \
-         type=\"aggregated\" unit=\"{currency}\"/>\n      </costTypes>\n    </conversions>\n    \
-         <assets>exposure.csv</assets>\n  </exposureModel>\n</nrml>\n"
-    );
-    let header = ["id", "lon", "lat", "taxonomy", "number", "contents"];
-    let mut files = vec![
-        ("fragility.xml".to_owned(), fragility.into_bytes()),
-        ("exposure.xml".to_owned(), exposure.into_bytes()),
-        ("exposure.csv".to_owned(), csv(&header, assets.into_iter())?),
-    ];
+    let mut files = vec![("fragility.xml".to_owned(), fragility.into_bytes())];
+    files.extend(exposure(listed.currency.unwrap_or("USD"), assets)?);
     let risk = "[risk]\nexposure_file = exposure.xml\ncontents_fragility_file = fragility.xml\n\
                 asset_hazard_distance = 20\n";
     if let Some(demand) = demand {
