@@ -10,6 +10,13 @@ pub struct Signing {
     pub allows_recalled: bool,
 }
 
+impl Signing {
+    /// Whether a sheet that rests on these recalled values is a draft.
+    pub(crate) fn is_draft(self, recalled: &[String]) -> bool {
+        !recalled.is_empty() && !self.allows_recalled
+    }
+}
+
 /// Values that a sheet of its own names: all that one object or one room has.
 pub(crate) const ON_A_SHEET: usize = 20;
 
@@ -37,7 +44,7 @@ pub(crate) fn signature(lines: &str, recalled: &[String], most: usize, signing: 
     }
     format!(
         "<div class=\"draft\"><p><b>DRAFT</b>: contains values quoted from memory (confidence: recalled): {names}. \
-         Confirm them and pass <code>--allow-recalled</code>: then there is a line to sign on.</p></div>\n"
+         Once they are confirmed, <code>--allow-recalled</code> puts a line to sign on in place of this notice.</p></div>\n"
     )
 }
 

@@ -11,6 +11,7 @@ use freestand_input::quantity::{Dimension, parse_positive, shorten};
 use freestand_input::words::nearest;
 use freestand_input::written::Written;
 use freestand_inventory::currency_code;
+use freestand_report::assessment::ORDERS_FOLDER;
 use freestand_risk::amount;
 use freestand_risk::budget::Insured;
 use serde_json::{Map, Value};
@@ -18,7 +19,7 @@ use toml_edit::{DocumentMut, Item, TomlError};
 
 use super::{Assess, Meant};
 use crate::files::Files;
-use crate::job::{SiteRun, SitesRun};
+use crate::job::{EXPOSURE, SiteRun, SitesRun};
 use crate::place::{FaultKeys, PlaceKeys};
 use crate::request::{Question as _, Request as _, from_entries, keys, request};
 
@@ -55,10 +56,10 @@ request! { question
 request! { question
     /// What holds for all sites together.
     pub struct PolicyKeys {
-        /// What is not paid of what the sites pay together in one earthquake
+        /// What the policy does not pay of what the sites are paid together in one earthquake
         #[arg(long)]
         pub deductible: Option<Written>,
-        /// The most that is paid in one earthquake
+        /// The most that the policy pays in one earthquake
         #[arg(long)]
         pub limit: Option<Written>,
         /// r of the correlation exp(-3h/r) between sites at the distance h
@@ -88,7 +89,7 @@ pub struct Site {
 }
 
 /// The folders beside those of the sites.
-const SHARED_FOLDERS: [&str; 2] = ["orders", "openquake"];
+const SHARED_FOLDERS: [&str; 2] = [ORDERS_FOLDER, EXPOSURE];
 
 /// The sites of a file, each asked what `request` asks.
 ///
@@ -167,7 +168,7 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Site
             .or(taken.then_some("two sites have this name"))
             .or(is_shared.then_some("a folder of this name has what the sites share"));
         if let Some(why) = why {
-            let hint = "give it a name of letters, digits, spaces, hyphens and dots: it is that of its folder";
+            let hint = "give it a name of letters, digits, spaces, hyphens, underscores and dots: its folder has this name";
             problems.push(of_site(Problem::value(why, hint)));
             continue;
         }
@@ -249,6 +250,12 @@ fn note_unknown(problems: &mut Problems, unknown: &BTreeSet<String>, what: &str,
     }
 }
 
+/// A key of losses, which are calculated with a budget alone.
+fn without_budget(key: &str) -> Problem {
+    let message = format!("{key} applies to losses, which are calculated only with a budget");
+    Problem::value(message, "give `budget`, or leave it out")
+}
+
 /// What an insurance pays, in the currency of the budget.
 fn terms(
     problems: &mut Problems,
@@ -259,8 +266,7 @@ fn terms(
     let mut read = |key: &str, written: Option<&Written>| {
         let text = written?.text();
         let Some(currency) = currency else {
-            let message = format!("{key} is for losses, which are known with a budget");
-            problems.push(Problem::value(message, "give `budget`, or leave it out"));
+            problems.push(without_budget(key));
             return None;
         };
         let of_key = |mut problem: Problem| {
@@ -308,6 +314,9 @@ fn policy(item: &Item, currency: Option<&str>) -> Result<Insured, Problems> {
         own.deductible.as_ref(),
         own.limit.as_ref(),
     );
+    if own.correlation_range.is_some() && currency.is_none() {
+        problems.push(without_budget("correlation_range"));
+    }
     let range = own.correlation_range.as_ref().map(Written::text);
     let range_m = range.map(|text| parse_positive(&text, Dimension::Length, "correlation_range"));
     let range_m = range_m.transpose().map_err(|mut problem| {

@@ -9,6 +9,7 @@ pub use shards::{
     plan_shards, run_shard,
 };
 
+pub(crate) use sites::EXPOSURE;
 pub use sites::{SITES_SCHEMA, SiteRun, SitesRun, assess_sites};
 
 use std::cell::RefCell;
@@ -303,7 +304,7 @@ fn written(
     report.files.sort_unstable();
     folder.write(
         MANIFEST,
-        manifest(study, inventory, &report, (key, budget, job.signing))?.as_bytes(),
+        manifest(study, inventory, &report, key, budget, job.signing)?.as_bytes(),
     )?;
     report.removed = folder.commit()?.removed;
     report.files.retain(|name| !name.starts_with(PROGRESS));
@@ -326,7 +327,11 @@ fn planned(
         None => shake(study, motions, progress)?,
     };
     let rows = portfolio.rows();
-    let priced = match spending.budget().priced(study, worlds, rows, progress) {
+    let asks_losses = matches!(spending, Spending::Priced(..));
+    let priced = match spending
+        .budget()
+        .priced(study, worlds, rows, asks_losses, progress)
+    {
         Err(error) if error.is_stopped() => {
             portfolio.interrupted = true;
             return Ok(None);
@@ -429,7 +434,9 @@ fn manifest(
     study: &Study,
     inventory: &Inventory,
     report: &JobReport,
-    (key, budget, signing): (&str, Option<&Budget>, Signing),
+    key: &str,
+    budget: Option<&Budget>,
+    signing: Signing,
 ) -> Result<String, Problem> {
     let body = json!({
         "version": env!("CARGO_PKG_VERSION"),

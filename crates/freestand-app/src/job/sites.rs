@@ -23,7 +23,7 @@ use super::{Beside, Job, Spending, Told, assess_telling};
 pub const SITES_SCHEMA: &str = "freestand.assess.sites/1";
 
 /// The folder of the exposure for OpenQuake.
-const EXPOSURE: &str = "openquake";
+pub(crate) const EXPOSURE: &str = "openquake";
 
 /// A site with everything that its assessment needs.
 pub struct SiteRun {

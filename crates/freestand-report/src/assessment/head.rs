@@ -147,9 +147,8 @@ fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
 }
 
 fn recalled_place(study: &Study) -> Option<String> {
-    let place = study.ground.code_spectrum()?.place.as_ref()?;
-    let is_recalled = place.confidence == Confidence::Approximate;
-    is_recalled.then(|| format!("hazard of {}", place.name))
+    let place = study.ground.code_spectrum()?.approximate_place()?;
+    Some(format!("hazard of {}", place.name))
 }
 
 /// The name of the place whose hazard was used.

@@ -9,7 +9,7 @@ use crate::table::table;
 pub(super) fn why_unknown(unknown: &UnknownLosses) -> String {
     match unknown {
         UnknownLosses::NoRates(site) => format!(
-            "The losses of all sites together are not known: the hazard of {site} has no yearly rates"
+            "The losses of all sites together are not known: the hazard of {site} has no annual rates"
         ),
         UnknownLosses::NoCosts(site) => format!(
             "The losses of all sites together are not known: the list of {site} has no costs of a fall"
@@ -30,7 +30,7 @@ pub(super) fn losses_text(losses: &SitesLosses) -> String {
         .iter()
         .any(|one| one.downtime_days_per_year.is_some());
     if has_downtime {
-        headings.push("days missing a year");
+        headings.push("days of downtime a year");
     }
     let rows: Vec<Vec<String>> = losses
         .sites
@@ -65,7 +65,7 @@ pub(super) fn losses_text(losses: &SitesLosses) -> String {
     }
     let row = |row: &LossRow| {
         let years = format!("{} years", row.return_period_years);
-        let mut cells = vec![years, row.dependence.to_owned()];
+        let mut cells = vec![years, row.dependence.name().to_owned()];
         let mut amounts = vec![row.event.loss, row.year.loss];
         if losses.is_insured {
             amounts.extend([row.event.paid, row.year.paid]);
@@ -97,6 +97,6 @@ fn dependence_words(losses: &SitesLosses) -> String {
         None => "correlated: not known, because the coordinates of a site are not".to_owned(),
     };
     format!(
-        "Earthquakes - independent: each is at one site; {correlated}; common: the sites are as one. The loss a year is the same."
+        "Earthquakes - independent: each is at one site; {correlated}; common: the sites are as one. The loss a year is the same in all three."
     )
 }

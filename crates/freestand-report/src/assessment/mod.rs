@@ -40,7 +40,7 @@ use serde::{Deserialize, Serialize};
 
 pub use estimates::{EstimateRow, first_estimates, time_left, usual_time};
 pub use head::{Head, head};
-pub use orders::{PARTS_NAME, PARTS_PAGE};
+pub use orders::{ORDERS_FOLDER, PARTS_NAME, PARTS_PAGE};
 pub use outcomes::{OUTCOMES_NAME, outcomes_head, outcomes_rows};
 pub use plan::{ALTERNATIVES_NAME, PLAN_NAME};
 pub use rows::JsonRows;

@@ -314,8 +314,7 @@ fn with_currency(head: &str, plan: &BudgetPlan) -> String {
     }
 }
 
-/// The plan for the report.
-/// `orders`: links to the work orders.
+/// The plan for the report, with `orders`, the links to the work orders.
 pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
     let mut html: String = sentences(plan).iter().map(|said| paragraph(said)).collect();
     let heads = |more: &[&str]| -> Vec<Cell> {

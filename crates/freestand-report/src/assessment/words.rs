@@ -225,7 +225,7 @@ pub(super) fn long(html: String, rows: usize, file: &str) -> String {
         return html;
     }
     format!(
-        "<div class=\"long\">\n{html}</div>\n<p class=\"instead\">A list of {rows} rows is left out on paper: it is in \
+        "<div class=\"long\">\n{html}</div>\n<p class=\"instead\">The list of {rows} rows is left out on paper: it is in \
          {file}, and is printed if \u{201c}Print the long lists too\u{201d} is ticked.</p>\n"
     )
 }

@@ -8,7 +8,7 @@ use freestand_output::figure::style::{
     Axis, axes, curve_style, decades, line, markers, plain, plain_ticks,
 };
 use freestand_output::figure::{Figure, FigureError};
-use freestand_risk::budget::{LossOfSite, SitesLosses};
+use freestand_risk::budget::{LossOfSite, SitesLosses, Together};
 
 use super::risk::scale;
 
@@ -37,7 +37,8 @@ pub fn losses_figure(losses: &SitesLosses) -> Result<Figure, FigureError> {
         title: "Losses of all sites".to_owned(),
         caption: format!(
             "Left: the loss of all sites in one earthquake that is reached once in so many years, from {} simulated years. The \
-             loss a year is the same for all lines. Right: the sites; the area of a dot is the loss a year.",
+             loss a year is the same for all lines. Right, where coordinates are known: the sites; the area of a dot is \
+             proportional to the loss a year.",
             losses.simulated_years
         ),
         panels,
@@ -71,11 +72,18 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
     layout.x_tick_format = decades();
     layout.y_tick_format = plain_ticks(top);
     let mut plots = Vec::new();
-    for (i, dependence) in ["common", "correlated", "independent"].iter().enumerate() {
+    for (i, dependence) in [
+        Together::Common,
+        Together::Correlated,
+        Together::Independent,
+    ]
+    .into_iter()
+    .enumerate()
+    {
         let own = losses
             .rows
             .iter()
-            .filter(|row| row.dependence == *dependence);
+            .filter(|row| row.dependence == dependence);
         let points: Vec<(f64, f64)> = own
             .map(|row| (f64::from(row.return_period_years), factor * row.event.loss))
             .collect();
@@ -90,7 +98,7 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
                 width_px: 2.0,
                 dash: style.dash,
             },
-            words: format!("{dependence} earthquakes"),
+            words: format!("{} earthquakes", dependence.name()),
         });
     }
     Panel { plots, layout }

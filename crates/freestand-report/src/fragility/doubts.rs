@@ -178,8 +178,8 @@ pub(crate) fn hazard_doubt(doubt: &HazardDoubt) -> String {
             number(f64::from(*metres) / 1e3, 2)
         ),
         HazardDoubt::SlopeOfPlace => {
-            "the hazard goes through the return periods of the place: the interval of a rate counts that its slope may be \
-             smaller or larger by 0.5, and without runs it is the range that follows from this alone, no 95 % interval"
+            "the hazard goes through the return periods of the place: the interval of a rate allows for a slope that is \
+             smaller or larger by 0.5; without runs it is only the range that follows from this, not a 95 % interval"
                 .to_owned()
         }
         HazardDoubt::AssumedSite(site) => format!(

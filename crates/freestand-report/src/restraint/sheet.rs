@@ -17,7 +17,6 @@ use super::words::{
 };
 use freestand_assess::restrain::{Case, Doubt, HeldItem};
 use freestand_assess::restraint::Demand;
-use freestand_study::places::Confidence;
 use freestand_study::target::Target;
 
 use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
@@ -264,11 +263,7 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
 fn recalled(case: &Case) -> Vec<String> {
     let clause = clause_words(&case.own);
     let unread = to_confirm(&case.own).into_iter();
-    let place = case
-        .target
-        .as_ref()
-        .and_then(|target| target.place.as_ref());
-    let place = place.filter(|place| place.confidence == Confidence::Approximate);
+    let place = case.target.as_ref().and_then(Target::approximate_place);
     unread
         .map(|one| format!("{clause}: {}", one.what))
         .chain(place.map(|place| format!("hazard of {}", place.name)))

@@ -785,7 +785,7 @@ fn not_counted(report: &RiskReport) -> Vec<String> {
     let states = || report.objects.iter().flat_map(|object| &object.states);
     if states().any(|one| one.ci95.is_some()) {
         let counted = match states().any(|one| one.slopes != Slopes::Stated) {
-            true => "count a slope that is 0.5 smaller or larger, and nothing else of it",
+            true => "allow for a slope that is 0.5 smaller or larger, and for nothing else of it",
             false => "include that of the fragilities alone",
         };
         lines.push(format!(

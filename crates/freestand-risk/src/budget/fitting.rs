@@ -33,6 +33,8 @@ pub struct ToFit {
     pub anchor_inset_m: Option<f64>,
     /// The force by which its anchors are designed; `None`: not known.
     pub force: Option<RestraintForce>,
+    /// The place of its study, where the hazard there is approximate.
+    pub approximate_place: Option<String>,
     /// The units of its list.
     pub units: UnitSystem,
 }
@@ -60,6 +62,8 @@ pub struct Fitting {
 
 pub(super) fn to_fit(row: &Row, study: &Study, units: UnitSystem) -> ToFit {
     let item = row.item;
+    let target = study.ground.code_spectrum();
+    let approximate = target.and_then(|target| target.approximate_place());
     ToFit {
         building: item.building.clone(),
         floor: item.floor.clone(),
@@ -73,6 +77,7 @@ pub(super) fn to_fit(row: &Row, study: &Study, units: UnitSystem) -> ToFit {
         wall_gap_m: item.surroundings.wall_gap_m,
         anchor_inset_m: study.assessment.restraint.anchor_inset_m,
         force: row.found.design_force().cloned(),
+        approximate_place: approximate.map(|place| place.name.to_string()),
         units,
     }
 }

@@ -5,14 +5,15 @@ use freestand::risk::{
     Amounts, Dependence, Hazard, LossLevel, SIMULATED_YEARS, SimulatedLosses, SiteLosses, Terms,
     correlations, reached_once_in, simulate,
 };
-use freestand_assess::verdict::Restrained;
+use freestand_assess::verdict::{Restrained, Wanted};
 use freestand_input::problem::Problem;
 use freestand_output::{answer, answer_of};
 use freestand_records::tables::hazard::Coordinates;
+use strum::IntoStaticStr;
 
-use super::{Budget, Candidate, Priced, rate};
+use super::{Budget, Priced, rate};
 use crate::costs::CostRow;
-use crate::export::{Exposed, exposure_of_sites};
+use crate::export::{Exposed, Files, exposure_of_sites};
 
 /// How far earthquakes of sites belong together, where nobody states it: about the middle of the ranges of Jayaram and
 /// Baker (2009), 8.5 to 41 km by period and ground. An assumption.
@@ -28,7 +29,7 @@ pub(super) struct Losses {
     levels: Vec<LossLevel>,
     /// Days that objects are missing a year, added up; `None`: the list has no downtime.
     downtime_days: Option<f64>,
-    /// Whether weaker earthquakes add to it.
+    /// Whether weaker earthquakes, or objects without a verdict, add to it.
     is_at_least: bool,
 }
 
@@ -36,26 +37,29 @@ impl Budget {
     /// `None`: the list has no costs.
     pub(super) fn losses(
         &self,
-        candidates: &[Candidate],
+        objects: &[Wanted],
         found: &[Option<Restrained>],
         hazard: &Hazard,
     ) -> Option<Losses> {
         if !self.has_costs {
             return None;
         }
-        let costing = || {
-            let all = candidates.iter().zip(found);
+        let with_costs = || {
+            let all = objects.iter().zip(found);
             all.filter_map(|(one, found)| {
                 let cost = self.costs.get(&one.item.id)?;
-                Some((f64::from(one.item.quantity), cost, found.as_ref()?))
+                Some((f64::from(one.item.quantity), cost, found.as_ref()))
             })
         };
+        let costing =
+            || with_costs().filter_map(|(quantity, cost, found)| Some((quantity, cost, found?)));
         let mut found = Losses {
             levels: Vec::new(),
             downtime_days: (self.costs.values())
                 .any(|cost| cost.downtime_days.is_some())
                 .then_some(0.0),
-            is_at_least: false,
+            // Nothing is known of an object without a verdict.
+            is_at_least: with_costs().any(|(_, cost, found)| cost.has_costs() && found.is_none()),
         };
         let Some((_, _, first)) = costing().next() else {
             return Some(found);
@@ -91,7 +95,7 @@ impl Budget {
 /// What is insured, and how earthquakes of sites belong together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Insured {
-    /// What is paid of what the sites pay together in an earthquake.
+    /// What the policy pays of what the sites are paid together in an earthquake.
     pub policy: Terms,
     /// r of the correlation exp(−3h/r) \[km\]; `None`: 20 km, assumed.
     pub range_km: Option<f64>,
@@ -120,11 +124,30 @@ pub enum UnknownLosses {
     NoCosts(String),
 }
 
+/// How earthquakes of several sites belong together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum Together {
+    /// Each is at one site.
+    Independent,
+    /// Each is at all sites, as alike as their distance makes it.
+    Correlated,
+    /// The sites are as one.
+    Common,
+}
+
+impl Together {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+}
+
 /// A loss of all sites that is reached once in so many years.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LossRow {
     /// How earthquakes of the sites belong together.
-    pub dependence: &'static str,
+    pub dependence: Together,
     /// How rare \[years\].
     pub return_period_years: u32,
     /// In one earthquake.
@@ -136,7 +159,7 @@ pub struct LossRow {
 answer_of!(LossRow as row {
     /// `independent`: each earthquake is at one site; `correlated`: it is at all of them, as alike as their distance
     /// makes it; `common`: the sites are as one.
-    dependence: &'static str = row.dependence;
+    dependence: &'static str = row.dependence.name();
     return_period_years: usize = row.return_period_years as usize;
     /// Of all sites in one earthquake.
     event_loss: f64 = row.event.loss;
@@ -160,7 +183,7 @@ answer! {
         annual_loss: f64,
         /// What its deductible and its limit leave of it.
         annual_paid: f64,
-        /// Whether weaker earthquakes add to it.
+        /// Whether weaker earthquakes, or objects without a verdict, add to it.
         annual_loss_is_at_least: bool,
         /// Days that objects are missing, added up; `null`: the list has no downtime.
         downtime_days_per_year: Option<f64>,
@@ -172,7 +195,7 @@ answer! {
         currency: String,
         /// Of all sites, on average.
         annual_loss: f64,
-        /// Whether weaker earthquakes add to it.
+        /// Whether weaker earthquakes, or objects without a verdict, add to it.
         annual_loss_is_at_least: bool,
         /// r of the correlation exp(−3h/r); `null`: the coordinates of a site are not known.
         correlation_range_km: Option<f64>,
@@ -193,7 +216,7 @@ answer! {
 ///
 /// # Errors
 /// A table that cannot be made.
-pub fn exposure(sites: &[InsuredSite]) -> Result<Option<Vec<(String, Vec<u8>)>>, Problem> {
+pub fn exposure(sites: &[InsuredSite]) -> Result<Option<Files>, Problem> {
     let mut objects = Vec::new();
     for site in sites {
         let Some(at) = site.at else { return Ok(None) };
@@ -252,9 +275,9 @@ pub fn losses_over_sites(
     let correlated = places.map(|places| correlations(&distances_km(places), range_km));
     let is_placed = correlated.is_some();
     let dependences = [
-        ("independent", Some(Dependence::Independent)),
-        ("correlated", correlated.map(Dependence::Correlated)),
-        ("common", Some(Dependence::Common)),
+        (Together::Independent, Some(Dependence::Independent)),
+        (Together::Correlated, correlated.map(Dependence::Correlated)),
+        (Together::Common, Some(Dependence::Common)),
     ];
     let mut rows = Vec::new();
     for (dependence, how) in dependences {

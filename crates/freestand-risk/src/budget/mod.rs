@@ -6,7 +6,7 @@ mod rates;
 mod uses;
 
 pub use losses::{
-    Insured, InsuredSite, LossOfSite, LossRow, SitesLosses, UnknownLosses, exposure,
+    Insured, InsuredSite, LossOfSite, LossRow, SitesLosses, Together, UnknownLosses, exposure,
     losses_over_sites,
 };
 
@@ -464,7 +464,8 @@ impl Budget {
         self.chosen(priced, progress).0
     }
 
-    /// What every measure does to every object of an assessment, and what it costs.
+    /// What every measure does to every object of an assessment, and what it costs. If `asks_losses`, objects that stand in the
+    /// earthquakes of the study are followed in stronger ones as well.
     ///
     /// # Errors
     /// A part of the assessment that cannot be read, a motion that cannot be generated, or a stop.
@@ -473,11 +474,18 @@ impl Budget {
         study: &Study,
         worlds: Worlds,
         rows: impl Iterator<Item = Result<Row<'a>, Problem>>,
+        asks_losses: bool,
         progress: Progress,
     ) -> Result<Priced, Problems> {
         let mut candidates: Vec<Candidate> = Vec::new();
+        let mut others: Vec<&Item> = Vec::new();
         for row in rows {
-            candidates.extend(self.candidate(row?, study));
+            let row = row?;
+            match self.candidate(&row, study) {
+                Some(candidate) => candidates.push(candidate),
+                None if asks_losses && row.item.anchored != Some(true) => others.push(row.item),
+                None => {}
+            }
         }
         let (hazard, extends) = rates::rates_of(study).unzip();
         let extends = extends.unwrap_or(false);
@@ -490,6 +498,10 @@ impl Budget {
                 item: one.item,
                 measures: measures(&one.entries),
             })
+            .chain(others.into_iter().map(|item| Wanted {
+                item,
+                measures: Vec::new(),
+            }))
             .collect();
         let effects = restrained(study, worlds, &wanted, hazard.is_some(), progress)?;
         let years = present_value_factor_years(self.discount_ratio, self.horizon_years).map_err(
@@ -497,7 +509,8 @@ impl Budget {
         )?;
         let losses = hazard
             .as_ref()
-            .and_then(|hazard| self.losses(&candidates, &effects, hazard));
+            .filter(|_| asks_losses)
+            .and_then(|hazard| self.losses(&wanted, &effects, hazard));
         let mut rows = Vec::new();
         for (object, (candidate, effects)) in candidates.iter().zip(effects).enumerate() {
             let mut of_measures = effects.iter().flat_map(|one| &one.measures);
@@ -518,7 +531,7 @@ impl Budget {
     }
 
     /// `None`: nothing needs to be done, or nothing is known of it.
-    fn candidate<'a>(&'a self, row: Row<'a>, study: &Study) -> Option<Candidate<'a>> {
+    fn candidate<'a>(&'a self, row: &Row<'a>, study: &Study) -> Option<Candidate<'a>> {
         let before = row.found.p_overturn?;
         let is_asked = before.value > 0.0
             || !matches!(row.found.decision, Decision::Leave | Decision::NoVerdict);
@@ -537,7 +550,7 @@ impl Budget {
             item: row.item,
             decision: row.found.decision,
             before,
-            object: Arc::new(fitting::to_fit(&row, study, self.units)),
+            object: Arc::new(fitting::to_fit(row, study, self.units)),
             entries: self.library.entries().iter().filter(suits).collect(),
         })
     }

@@ -129,7 +129,7 @@ pub enum ExportDoubt {
 }
 
 /// Files of a folder, by their names in it.
-type Files = Vec<(String, Vec<u8>)>;
+pub type Files = Vec<(String, Vec<u8>)>;
 
 /// The most realizations of pelicun.
 const MAX_REALIZATIONS: u32 = 1_000_000;

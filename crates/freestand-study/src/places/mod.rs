@@ -479,8 +479,8 @@ impl Place {
     pub fn derived_doubt(&self) -> Option<String> {
         let derived = self.derived?;
         Some(format!(
-            "the hazard of {} at {} years is derived, not read: {}, for screening only; motions of worlds that are made for its \
-             spectrum draw this range",
+            "the hazard of {} at {} years is derived, not read: {}, for screening only; the synthetic motions \
+             of worlds draw a factor from this range",
             self.name,
             derived.years,
             derived.words()

@@ -271,6 +271,8 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
     if place.is_some() && reader.has("return_period_years") {
         // γ_I stands for another return period as well.
         reader.exclusive("return_period_years", "importance_factor");
+        // The values are those of the place already: what is no number is noted here alone.
+        reader.whole("return_period_years");
     }
     let hazard = place.map(|place| place.hazard);
     let (of_place, of_type_2, annex, only_type) = match hazard {

@@ -141,6 +141,12 @@ impl Target {
         derived.map_or(0.0, |derived| derived.ln_spread())
     }
 
+    /// Its place, where the hazard of that is approximate.
+    pub fn approximate_place(&self) -> Option<&Place> {
+        let is_approximate = |place: &&Place| place.confidence == Confidence::Approximate;
+        self.place.as_ref().filter(is_approximate)
+    }
+
     /// The name of the place whose hazard was used.
     pub fn place_name(&self) -> Option<String> {
         self.place.as_ref().map(Place::told_name)

@@ -684,6 +684,10 @@ fn a_return_period_that_the_table_lacks() {
             "outside of the 72 to 2475 years",
         ),
         (
+            &[("place", "Athens"), ("return_period_years", "2,475")],
+            "must be a whole number",
+        ),
+        (
             &[("place", "Tokyo"), ("return_period_years", "475")],
             "have no return period",
         ),

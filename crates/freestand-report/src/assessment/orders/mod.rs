@@ -27,7 +27,7 @@ pub use parts::{PARTS_NAME, PARTS_PAGE};
 pub(super) use parts::{part_cells, part_headings};
 
 /// The folder of the orders.
-const FOLDER: &str = "orders";
+pub const ORDERS_FOLDER: &str = "orders";
 
 /// The style of an order, added to that of a one-page report.
 const CSS: &str = "\
@@ -94,7 +94,7 @@ pub(super) fn orders<'p>(plan: &'p BudgetPlan, sites: Option<&'p [String]>) -> V
             .filter(|part| !part.is_empty())
             .collect();
         Order {
-            file: format!("{FOLDER}/{name}.html"),
+            file: format!("{ORDERS_FOLDER}/{name}.html"),
             room: match room {
                 "" => "no room in the list".to_owned(),
                 room => room.to_owned(),
@@ -218,6 +218,8 @@ pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<Strin
             let what = force.recalled.iter();
             found.extend(what.map(|what| format!("{}: {what}", force.source)));
         }
+        let place = row.object.approximate_place.iter();
+        found.extend(place.map(|place| format!("hazard of {place}")));
     }
     found.into_iter().collect()
 }
@@ -234,7 +236,7 @@ fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) 
         ("Objects", pieces(&order.rows).to_string()),
         ("Work", hours(minutes(&order.rows))),
         (
-            "Cost with parts and work",
+            "Cost of parts and work",
             format!("{} {}", range(cost(&order.rows)), plan.currency),
         ),
         ("Date", title.date.clone().unwrap_or_default()),
@@ -246,9 +248,9 @@ fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) 
         html.push_str(&object(plan, row));
     }
     html.push_str(&paragraph(
-        "Before you drill: look for pipes and cables, and find out what the wall or the floor is made of. Where the force of \
-         the code and that of the simulated earthquakes differ, the larger one counts. The forces are what the restraint must carry; the wall, the floor and the part of the object that is held need a check of \
-         their own.",
+        "Before you drill, look for pipes and cables, and find out what the wall or the floor is made of. Where the force by \
+         the code and that in the simulated earthquakes differ, the larger one counts. These are the forces that the \
+         restraint must carry; the wall, the floor and the part of the object that is held need checks of their own.",
     ));
     let lines = "<div class=\"sign\"><span>Fitted by</span><span>Checked by</span><span>Date and signature</span></div>\n";
     html.push_str(&signature(
@@ -366,7 +368,7 @@ fn each_anchor(row: &PlanRow) -> String {
     let at_m = row.fitting.height_ratio * height_m;
     let all_n = bracket_at(force, at_m);
     format!(
-        "{} on each of {}, shared alike (assumed): {} in all at {}, outwards or along the wall",
+        "{} on each of {}, shared equally (assumed): {} in all at {}, outwards or along the wall",
         units.force(all_n / f64::from(count)),
         counted(count.into(), "anchor"),
         units.force(all_n),
@@ -409,7 +411,7 @@ fn simulated(row: &PlanRow) -> String {
                 _ => "",
             };
             format!(
-                "at most {} on the restraint in all but the accepted share of them; {capacity}{beyond}",
+                "at most {} on the restraint, except in the accepted share of them; {capacity}{beyond}",
                 units.force(force_n)
             )
         }

@@ -124,7 +124,7 @@ fn the_anchors_share_the_force_of_the_assessment() {
     // 205 N at 1.35 m is 170.8 N at 1.62 m, a quarter on each of four.
     let bracket = row("a", "1", RestraintKind::Bracket, |_| ());
     assert!(of(&bracket).starts_with(
-        "42.7 N on each of 4 anchors, shared alike (assumed): 171 N in all at 1.62 m"
+        "42.7 N on each of 4 anchors, shared equally (assumed): 171 N in all at 1.62 m"
     ));
     let without = row("a", "1", RestraintKind::Bracket, |object| {
         object.force = None
@@ -145,6 +145,7 @@ fn an_order_can_be_given_away() {
         row("a", "Ward 3", RestraintKind::Strap, |_| ()),
         row("b", "Ward 3", RestraintKind::BasePlate, |object| {
             object.units = UnitSystem::Us;
+            object.approximate_place = Some("Athens".to_owned());
         }),
         row("c", "Ward 3", RestraintKind::Chain, |object| {
             object.height_m = None
@@ -166,6 +167,7 @@ fn an_order_can_be_given_away() {
         "There is no drawing",
         "DRAFT",
         "AS 1170.4-2007, 8.2: R_c; capacity of base-plate",
+        "; hazard of Athens",
         "10–30 NZD each: an offer, 2025 (confidence: assumption)",
         "40 min each, 80 min in all",
     ] {

@@ -42,7 +42,8 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
             paragraph(&partial)
         );
     }
-    html.push_str(&one_page(head, overview, pages, wanted));
+    let recalled = recalled(head, overview, wanted);
+    html.push_str(&one_page(head, overview, pages, wanted, &recalled));
     let facts: Vec<(&str, String)> = head
         .facts
         .iter()
@@ -55,7 +56,6 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         None => tasks,
     };
     let work = floors(overview, head.is_elastic) + &tasks;
-    let recalled = recalled(head, overview, wanted);
     let unread = (!recalled.is_empty()).then(|| {
         (
             "recalled",
@@ -105,7 +105,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         let _ = writeln!(html, "<a href=\"#{id}\">{heading}</a>");
     }
     html.push_str("</nav>\n");
-    html.push_str(&cards_choice(head, pages.min(overview.assessed)));
+    html.push_str(&print_choices(head, pages.min(overview.assessed)));
     for (id, heading, content) in &sections {
         html.push_str(&section(id, heading, content));
     }
@@ -116,10 +116,14 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
 const TEN: usize = 10;
 
 /// What a manager needs, on one printed sheet: where, how many, what first, what was assumed.
-fn one_page(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> String {
-    let recalled = recalled(head, overview, wanted);
-    let is_draft = !recalled.is_empty() && !wanted.signing.allows_recalled;
-    let flows = match is_draft || wanted.plan.is_some() {
+fn one_page(
+    head: &Head,
+    overview: &Overview,
+    pages: usize,
+    wanted: Wanted,
+    recalled: &[String],
+) -> String {
+    let flows = match wanted.signing.is_draft(recalled) || wanted.plan.is_some() {
         true => " class=\"flows\"",
         false => "",
     };
@@ -139,7 +143,7 @@ fn one_page(head: &Head, overview: &Overview, pages: usize, wanted: Wanted) -> S
     html.push_str(&paragraph(&brackets(head)));
     html.push_str(&heading("What was assumed"));
     html.push_str(&list(&head.most_important));
-    html.push_str(&title_block(head, &recalled, wanted.signing));
+    html.push_str(&title_block(head, recalled, wanted.signing));
     html.push_str("</section>\n");
     html
 }
@@ -172,13 +176,12 @@ fn title_block(head: &Head, recalled: &[String], signing: Signing) -> String {
         format!("<div><b>{value}</b><span>{label}</span></div>")
     };
     let title = &head.title;
-    let is_draft = !recalled.is_empty() && !signing.allows_recalled;
     let fields = format!(
         "<div class=\"title-block\">\n{}{}{}{}</div>\n",
         field("Date", title.date.as_ref()),
         field("Prepared by", title.preparer.as_ref()),
         field("Revision", title.revision.as_ref()),
-        match is_draft {
+        match signing.is_draft(recalled) {
             true => String::new(),
             false => field("Signature", None),
         }
@@ -187,19 +190,22 @@ fn title_block(head: &Head, recalled: &[String], signing: Signing) -> String {
     fields + &below
 }
 
-/// The box by which a reader chooses whether the cards of the objects are printed.
-fn cards_choice(head: &Head, pages: usize) -> String {
-    if pages == 0 {
-        return String::new();
-    }
+/// The boxes by which a reader chooses whether the long lists and the cards of the objects, if it has any, are printed.
+fn print_choices(head: &Head, pages: usize) -> String {
     let checked = if head.cards {
         " checked=\"checked\""
     } else {
         ""
     };
+    let cards = match pages {
+        0 => String::new(),
+        _ => format!(
+            " <label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects too</label>"
+        ),
+    };
     format!(
-        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-lists\"/> Print the long lists too</label> \
-         <label><input type=\"checkbox\" id=\"print-cards\"{checked}/> Print the cards of the objects too</label></p>\n"
+        "<p class=\"choice\"><label><input type=\"checkbox\" id=\"print-lists\"/> Print the long lists too</label>\
+         {cards}</p>\n"
     )
 }
 

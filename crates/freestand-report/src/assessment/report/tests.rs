@@ -117,7 +117,10 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
             cards,
             ..crate::assessment::fixture::head(3)
         };
-        summary::summary(&head, &overview, 200, ALONE)
+        let [with_cards, without] =
+            [200, 0].map(|pages| summary::summary(&head, &overview, pages, ALONE));
+        assert!(without.contains("id=\"print-lists\"") && !without.contains("id=\"print-cards\""));
+        with_cards
     };
     assert!(
         listed(true).contains("id=\"print-cards\" checked")
