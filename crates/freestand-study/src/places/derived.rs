@@ -18,6 +18,8 @@ pub struct Derived {
     pub years: u32,
     /// k, its smallest and its largest value.
     pub slopes: [f64; 3],
+    /// The other return period that was read, where the values lie between both: they have no range then \[years\].
+    pub between_years: Option<u32>,
 }
 
 impl Derived {
@@ -46,6 +48,12 @@ impl Derived {
 
     /// `the value of 475 years × 1.73 (1.46 to 2.38)`
     pub fn words(&self) -> String {
+        if let Some(other) = self.between_years {
+            return format!(
+                "between the values of {} and {other} years",
+                self.read_years
+            );
+        }
         let [ratio, least, most] =
             [self.ratio(), self.range()[0], self.range()[1]].map(|one| number(one, 3));
         format!(
@@ -98,10 +106,16 @@ impl Place {
         if !(CONVERTED_YEARS[0]..=CONVERTED_YEARS[1]).contains(&years) {
             return Some(Err(NotDerived::Beyond));
         }
+        if let PlaceHazard::Tbdy2018 { ss_g, s1_g } = self.hazard
+            && (TBDY_YEARS[0]..TBDY_YEARS[1]).contains(&years)
+        {
+            return Some(Ok(self.between(years, ss_g, s1_g)));
+        }
         let derived = Derived {
             read_years,
             years,
             slopes: slopes(self.hazard),
+            between_years: None,
         };
         let ratio = derived.ratio();
         let hazard = match self.hazard {
@@ -139,6 +153,7 @@ impl Place {
             other => other,
         };
         let confidence = match self.confidence {
+            // What was recalled is no better for being converted.
             Confidence::Approximate => Confidence::Approximate,
             _ => Confidence::Derived,
         };
@@ -148,6 +163,28 @@ impl Place {
             derived: Some(derived),
             ..self.clone()
         }))
+    }
+
+    /// The place of TBDY 2018 with values between those of its two return periods, on a line in logarithms.
+    fn between(&self, years: u32, ss_g: [f64; 2], s1_g: [f64; 2]) -> Self {
+        let [from, to] = TBDY_YEARS.map(f64::from);
+        let slope = |[low, high]: [f64; 2]| (to / from).ln() / (high / low).ln();
+        let derived = |values: [f64; 2]| Derived {
+            read_years: TBDY_YEARS[0],
+            years,
+            slopes: [slope(values); 3],
+            between_years: Some(TBDY_YEARS[1]),
+        };
+        let at = |values: [f64; 2]| [derived(values).ratio() * values[0]; 2];
+        Self {
+            hazard: PlaceHazard::Tbdy2018 {
+                ss_g: at(ss_g),
+                s1_g: at(s1_g),
+            },
+            confidence: Confidence::Interpolated,
+            derived: Some(derived(ss_g)),
+            ..self.clone()
+        }
     }
 }
 
@@ -198,8 +235,32 @@ mod tests {
             find("Tokyo").derived_at(475),
             Some(Err(NotDerived::Unknown))
         );
-        // The nearer level: DD-1 of 2475 years for 2000 years.
-        let istanbul = find("Istanbul").derived_at(2000).unwrap().unwrap();
-        assert_eq!(istanbul.derived.unwrap().read_years, 2475);
+    }
+
+    /// TBDY 2018 has two levels: between them values lie on a line in logarithms, and rise with the return period.
+    #[test]
+    fn between_the_levels_of_tbdy() {
+        let istanbul = Place::find("Istanbul").unwrap();
+        let of = |place: &Place| match place.hazard {
+            PlaceHazard::Tbdy2018 { ss_g, s1_g } => (ss_g, s1_g),
+            _ => panic!("{place:?}"),
+        };
+        let (ss_g, s1_g) = of(&istanbul);
+        // √(475·2475) = 1084.26 years is the middle: the geometric mean, but for the rounding of the years.
+        let middle = istanbul.derived_at(1084).unwrap().unwrap();
+        let (ss, s1) = of(&middle);
+        assert!((ss[0] / (ss_g[0] * ss_g[1]).sqrt() - 1.0).abs() < 2e-4);
+        assert!((s1[0] / (s1_g[0] * s1_g[1]).sqrt() - 1.0).abs() < 2e-4);
+        assert_eq!(middle.confidence, Confidence::Interpolated);
+        assert_eq!(middle.derived.unwrap().ln_spread(), 0.0);
+        let mut before = ss_g[0];
+        for years in (500..2475).step_by(25) {
+            let (ss, _) = of(&istanbul.derived_at(years).unwrap().unwrap());
+            assert!(before < ss[0] && ss[0] < ss_g[1], "{years}");
+            before = ss[0];
+        }
+        // Outside of them they are converted.
+        let short = istanbul.derived_at(100).unwrap().unwrap();
+        assert_eq!(short.derived.unwrap().read_years, 475);
     }
 }

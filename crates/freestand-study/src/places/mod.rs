@@ -442,7 +442,11 @@ impl Place {
                 let values = self.hazard.words();
                 // The first value, without the return period of the one that was read.
                 let value = values.split([';', '(']).next().unwrap_or_default().trim();
-                format!("{value} ({} years, derived)", derived.years)
+                let how = match derived.between_years {
+                    Some(_) => "interpolated",
+                    None => "derived",
+                };
+                format!("{value} ({} years, {how})", derived.years)
             }
         };
         match self.fault_distance_km {
@@ -469,7 +473,9 @@ impl Place {
         };
         let derived = match (self.derived, self.confidence) {
             (None, _) => String::new(),
-            (Some(derived), Confidence::Derived) => format!(", {}", derived.words()),
+            (Some(derived), Confidence::Derived | Confidence::Interpolated) => {
+                format!(", {}", derived.words())
+            }
             (Some(derived), _) => format!(", derived: {}", derived.words()),
         };
         format!("{}: {confidence}{derived}{away}", self.source)
@@ -477,7 +483,7 @@ impl Place {
 
     /// What the reader must know of a conversion.
     pub fn derived_doubt(&self) -> Option<String> {
-        let derived = self.derived?;
+        let derived = self.derived.filter(|one| one.between_years.is_none())?;
         Some(format!(
             "the hazard of {} at {} years is derived, not read: {}, for screening only; the synthetic motions \
              of worlds draw a factor from this range",
@@ -564,22 +570,29 @@ answer_of!(Place as place {
     class_iii_sas_g: Option<f64> = place.hazard.ts_class_iii().map(|values| values.sas_g);
     /// Ss at 2475 years, by TBDY 2018.
     rare_ss_g: Option<f64> = match place.hazard {
-        PlaceHazard::Tbdy2018 { ss_g: [_, rare], .. } => Some(rare),
+        PlaceHazard::Tbdy2018 { ss_g: [_, rare], .. } if place.derived.is_none() => Some(rare),
         _ => None,
     };
     /// S1 at 2475 years, by TBDY 2018.
     rare_s1_g: Option<f64> = match place.hazard {
-        PlaceHazard::Tbdy2018 { s1_g: [_, rare], .. } => Some(rare),
+        PlaceHazard::Tbdy2018 { s1_g: [_, rare], .. } if place.derived.is_none() => Some(rare),
         _ => None,
     };
     /// k of a ∝ T^(1/k), T being the return period, from about 500 to about 2500 years.
-    slope: Option<f64> = place.hazard.slope();
+    slope: Option<f64> = place.hazard.slope().filter(|_| place.derived.is_none());
     /// Of the values above, where it is known.
     return_period_years: Option<u64> = match place.hazard {
+        _ if place.derived.is_some() => place.derived.map(|derived| u64::from(derived.years)),
         PlaceHazard::Ntc2018 { .. } | PlaceHazard::Tbdy2018 { .. } => Some(u64::from(NTC_DEFAULT_YEARS)),
         PlaceHazard::Ts1170_5 { .. } => Some(u64::from(TS_DEFAULT_YEARS)),
         other => other.return_period_years().map(u64::from),
     };
+    /// The return period of the values that were read, where those above were converted from them.
+    read_years: Option<u64> = place.derived.map(|derived| u64::from(derived.read_years));
+    /// What they were multiplied by.
+    derived_ratio: Option<f64> = place.derived.map(|derived| derived.ratio());
+    derived_ratio_low: Option<f64> = place.derived.map(|derived| derived.range()[0]);
+    derived_ratio_high: Option<f64> = place.derived.map(|derived| derived.range()[1]);
     fault_distance_km: Option<f64>;
     latitude_deg: Option<f64> = place.coordinates.map(|at| at.latitude_deg);
     longitude_deg: Option<f64> = place.coordinates.map(|at| at.longitude_deg);

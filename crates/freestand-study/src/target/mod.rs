@@ -316,7 +316,11 @@ impl Target {
                     Confidence::Approximate => ", approximate",
                     _ => "",
                 };
-                let derived = place.derived.map_or("", |_| ", derived");
+                let derived = match place.derived.map(|derived| derived.between_years) {
+                    None => "",
+                    Some(None) => ", derived",
+                    Some(Some(_)) => ", interpolated",
+                };
                 format!(" ({}{approximate}{derived})", place.name)
             }
         }
