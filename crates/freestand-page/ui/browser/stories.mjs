@@ -517,8 +517,10 @@ for (const [width, height, colorScheme] of [[1280, 900, 'light'], [390, 844, 'da
     await page.selectOption('#country', 'Greece');
     await page.click('#places button:has-text("Athens")');
     assert.equal(await page.inputValue('#place'), 'Athens, Greece');
-    // A soil of another code is gone; a return period is not, and its problem stands under its field.
+    // A soil of another code is gone; a return period is not. One to which nothing can be converted is refused under its field.
     await page.waitForFunction(() => document.querySelector('#site').value === '', undefined, PATIENT);
+    await page.fill('#return-period', '50');
+    await page.locator('#return-period').blur();
     await page.waitForSelector('[data-why=return-period]', PATIENT);
     await page.fill('#return-period', '');
     await page.locator('#return-period').blur();
@@ -707,6 +709,10 @@ await story('one sheet to sign, on one page', {}, async (page) => {
   await page.evaluate(() => { window.print = () => { window.hasPrinted = true; }; });
   await page.click('#print');
   await page.waitForFunction(() => window.hasPrinted, undefined, PATIENT);
+  // The clause is quoted from memory: until somebody has confirmed it, the sheet is a draft.
+  assert.match(await page.textContent('.sheet'), /^DRAFT|\sDRAFT/);
+  assert.ok(!(await page.textContent('.sheet')).includes(said('paper.signature')));
+  await page.check('#recalled');
   const sheet = await page.textContent('.sheet');
   assert.ok(sheet.includes(await page.textContent('#answer')));
   for (const word of ['paper.date', 'paper.name', 'paper.signature', 'assumed']) assert.ok(sheet.includes(said(word)), word);
