@@ -3,21 +3,36 @@
 use freestand_input::words::canonical;
 
 /// Words by which gas cylinders are recognised, in the form of [`canonical`].
-const CYLINDERS: [&str; 9] = [
+const CYLINDERS: [&str; 24] = [
     "cylinder",
     "gas bottle",
+    "oxygen bottle",
     "gasflasche",
+    "gas flasche",
     "sauerstoffflasche",
     "bouteille de gaz",
+    "bouteilles de gaz",
+    "bouteille d oxygene",
+    "bouteilles d oxygene",
     "bombola",
+    "bombole",
     "bombona",
     "cilindro de gas",
+    "cilindros de gas",
+    "cilindro de oxigeno",
+    "cilindros de oxigeno",
     "botella de gas",
+    "botellas de gas",
+    "botella de oxigeno",
+    "botellas de oxigeno",
+    "garrafa de oxigenio",
+    "oksijen tupu",
+    "气瓶",
 ];
 
 /// Cylinders that hold no gas: glassware, parts of machines and of locks, test pieces. A list that calls a gas
 /// cylinder just "cylinder" is common, so these are left out, and no gas is asked for.
-const OTHER_CYLINDERS: [&str; 15] = [
+const OTHER_CYLINDERS: [&str; 19] = [
     "measuring cylinder",
     "graduated cylinder",
     "mixing cylinder",
@@ -33,6 +48,10 @@ const OTHER_CYLINDERS: [&str; 15] = [
     "lock cylinder",
     "concrete cylinder",
     "test cylinder",
+    "cylinder graduated",
+    "cylinder measuring",
+    "cylinder recorder",
+    "cylinder seal",
 ];
 
 /// Words by which incubators of children and beds are recognised, in which somebody lies. An incubator alone may be
@@ -80,6 +99,16 @@ mod tests {
             "Sauerstoffflasche 50 l",
             "Bombola di ossigeno",
             "Oxygen cylinder and measuring cylinders",
+            "Gas-Flasche O2",
+            "Bouteilles de gaz",
+            "Bouteille d'oxygène",
+            "Bombole",
+            "Cilindros de gas",
+            "Cilindro de oxígeno",
+            "Garrafa de oxigénio",
+            "Oksijen tüpü",
+            "氧气瓶",
+            "Oxygen bottle",
         ] {
             assert!(is_gas_cylinder(gas), "{gas}");
         }
@@ -88,6 +117,10 @@ mod tests {
             "Rack of graduated cylinders",
             "Hydraulic cylinder",
             "Engine, cylinder head",
+            "Cylinder seal (Akkadian)",
+            "Cylinder recorder",
+            "Cylinder (graduated)",
+            "Cylinder, measuring, 500 ml",
             "Cabinet",
         ] {
             assert!(!is_gas_cylinder(other), "{other}");
