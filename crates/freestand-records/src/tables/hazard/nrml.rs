@@ -234,6 +234,7 @@ fn hazard_curve(document: &Document, one: &Found) -> Result<Curve, Problem> {
         .and_then(|node| node.attribute("IMT"))
         .or_else(|| attribute(one, &["IMT"]))
         .ok_or_else(|| missing("IMT, the measure of its intensities"))?;
+    check_damping(one)?;
     let (measure, factor) = match (imt, attribute(one, &["saPeriod"])) {
         ("SA", Some(text)) => {
             let period_s = text
@@ -257,7 +258,22 @@ fn hazard_curve(document: &Document, one: &Found) -> Result<Curve, Problem> {
     curve(measure, scaled, Exceedance::Probabilities { years })
 }
 
+/// Spectral accelerations hold for a damping of 5 %, which files write as a share or in percent.
+fn check_damping(one: &Found) -> Result<(), Problem> {
+    match attribute(one, &["saDamping"]) {
+        Some(text) if !matches!(text.trim().parse(), Ok(0.05 | 5.0)) => Err(Problem::format(
+            format!(
+                "the damping of the accelerations is {}, not 5 %",
+                shorten(text)
+            ),
+            "download a curve or a spectrum of 5 % damping",
+        )),
+        _ => Ok(()),
+    }
+}
+
 fn uniform_spectrum(document: &Document, one: &Found) -> Result<ReturnSpectrum, Problem> {
+    check_damping(one)?;
     let poe = attribute(one, &["poE", "poe"])
         .ok_or_else(|| missing("poE, the probability of the spectrum"))?;
     let years = investigation(one)?;

@@ -548,6 +548,8 @@ fn curves_and_spectra_of_nrml() {
         anywhere(newer).unwrap().curves[0].measure,
         GroundMeasure::Sa { period_s: 0.2 }
     );
+    let damped = anywhere(&newer.replace("5.0", "10.0")).unwrap_err();
+    assert!(damped.to_string().contains("is 10.0, not 5 %"), "{damped}");
     let spectra = r#"<?xml version="1.0"?><nrml xmlns="http://openquake.org/xmlns/nrml/0.4" xmlns:gml="http://www.opengis.net/gml">
 <uniformHazardSpectra investigationTime="50.0" poE="0.1" statistics="mean"><periods>0.0 0.2 1.0</periods>
 <uhs><gml:Point><gml:pos>26.0 44.4</gml:pos></gml:Point><IMLs>0.25 0.5 0.2</IMLs></uhs></uniformHazardSpectra></nrml>"#;
