@@ -111,23 +111,28 @@ fn seeds() -> Vec<(String, PathBuf, Vec<u8>)> {
     seeds
 }
 
+/// As a file is; with the unit and the time step that columns and counts may leave open; and resampled.
+fn ways() -> [ReadOptions; 3] {
+    let told = ReadOptions {
+        unit: Some("g".to_owned()),
+        dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
+    let resampled = ReadOptions {
+        uneven_dt_s: Some(0.01),
+        ..ReadOptions::default()
+    };
+    [ReadOptions::default(), told, resampled]
+}
+
 #[test]
 fn every_seed_is_read_as_its_format() {
     let named = |(family, path, bytes): (String, PathBuf, Vec<u8>)| {
-        // Columns may leave the unit open, and counts do.
-        let told = ReadOptions {
-            unit: Some("g".to_owned()),
-            dt_s: Some(0.01),
-            ..ReadOptions::default()
-        };
-        let resampled = ReadOptions {
-            uneven_dt_s: Some(0.01),
-            ..ReadOptions::default()
-        };
         let read = |options: &ReadOptions| {
             parse_motions(bytes.clone(), Path::new("/nowhere/record.dat"), options)
         };
-        let file = read(&ReadOptions::default())
+        let [plain, told, resampled] = ways();
+        let file = read(&plain)
             .or_else(|_| read(&told))
             .or_else(|_| read(&resampled));
         let name = path.file_name().unwrap().to_str().unwrap().to_owned();
@@ -297,21 +302,12 @@ fn the_ends_of_lines_do_not_matter() {
             continue;
         }
         let line_feeds = text.replace("\r\n", "\n");
-        let told = ReadOptions {
-            unit: Some("g".to_owned()),
-            dt_s: Some(0.01),
-            ..ReadOptions::default()
-        };
-        let resampled = ReadOptions {
-            uneven_dt_s: Some(0.01),
-            ..ReadOptions::default()
-        };
         let read = |text: &str| {
-            [&ReadOptions::default(), &told, &resampled].map(|options| {
+            ways().map(|options| {
                 parse_motions(
                     text.as_bytes().to_vec(),
                     Path::new("/nowhere/record.dat"),
-                    options,
+                    &options,
                 )
                 .map(|file| {
                     let samples = |one: &Component| one.motion.accel_m_s2().to_vec();

@@ -67,14 +67,14 @@ impl Budget {
         let intensities: Vec<f64> = first.free.iter().map(|one| one.intensity_ratio).collect();
         let rates = strip_rates(&intensities, |ratio| hazard.annual_rate(ratio)).ok()?;
         for (level, annual_rate) in rates.into_iter().enumerate() {
-            let falls = |one: &Restrained| one.falls.get(level).cloned().unwrap_or_default();
-            let worlds = costing().map(|(_, _, one)| falls(one).len()).max()?;
-            let mut losses = vec![0.0; worlds];
+            let falls = costing().filter_map(|(_, _, one)| one.falls.get(level));
+            let mut losses = vec![0.0; falls.map(Vec::len).max()?];
             for (quantity, cost, one) in costing() {
                 // Objects that take long to follow have fewer worlds: theirs are repeated.
-                let each = losses.iter_mut().zip(falls(one).into_iter().cycle());
-                each.filter(|(_, falls)| *falls)
-                    .for_each(|(loss, _)| *loss += quantity * cost.overturned());
+                let falls = one.falls.get(level).into_iter().flatten().cycle();
+                for (loss, _) in losses.iter_mut().zip(falls).filter(|(_, falls)| **falls) {
+                    *loss += quantity * cost.overturned();
+                }
             }
             found.levels.push(LossLevel {
                 annual_rate,

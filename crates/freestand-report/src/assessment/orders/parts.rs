@@ -125,34 +125,29 @@ pub(crate) fn part_cells(plan: &BudgetPlan) -> Vec<Vec<SheetCell>> {
     let number = |value: f64| SheetCell::Number(Some(value));
     let text = |value: &str| SheetCell::Text(value.to_owned());
     let parts = parts(plan);
-    let row = |part: &Part| {
+    let cells = |measure: &str, what: &str, of: &[Part]| {
+        let sum = Sum::of(of);
         vec![
-            text(&part.row.measure),
-            text(&part.row.measure_item),
-            number(f64::from(part.quantity)),
-            SheetCell::Number(part.anchors.map(|count| count as f64)),
-            number(part.price[0]),
-            number(part.price[1]),
-            number(part.minutes),
-            number(part.cost[0]),
-            number(part.cost[1]),
-            text(part.row.confidence.1.name()),
-            text(&part.row.fitting.price_source),
+            text(measure),
+            text(what),
+            number(f64::from(sum.quantity)),
+            SheetCell::Number(sum.anchors.map(|count| count as f64)),
+            number(sum.price[0]),
+            number(sum.price[1]),
+            number(sum.minutes),
+            number(sum.cost[0]),
+            number(sum.cost[1]),
         ]
     };
-    let sum = Sum::of(&parts);
+    let row = |part: &Part| {
+        let (row, one) = (&part.row, std::slice::from_ref(part));
+        let mut cells = cells(&row.measure, &row.measure_item, one);
+        cells.push(text(row.confidence.1.name()));
+        cells.push(text(&row.fitting.price_source));
+        cells
+    };
     let mut rows: Vec<Vec<SheetCell>> = parts.iter().map(row).collect();
-    rows.push(vec![
-        text("all"),
-        text(""),
-        number(f64::from(sum.quantity)),
-        SheetCell::Number(sum.anchors.map(|count| count as f64)),
-        number(sum.price[0]),
-        number(sum.price[1]),
-        number(sum.minutes),
-        number(sum.cost[0]),
-        number(sum.cost[1]),
-    ]);
+    rows.push(cells("all", "", &parts));
     rows
 }
 
