@@ -5,7 +5,7 @@ use pulp::{Arch, Simd, WithSimd};
 use super::LANES;
 use super::body::Body;
 use super::each::{each, six, two};
-use super::linear::{Recursion, STATES, righting};
+use super::linear::{Bounds, Recursion, STATES, Sample, WEIGHED, righting};
 use crate::vector::{Column, Math, Numbers};
 
 /// Up to here the linear equations are followed: beyond this part of its load lost by an edge, squares of the rotation
@@ -15,11 +15,14 @@ pub(super) const FIRM_RATIO: f64 = 0.15;
 pub(super) type Lane = Column<LANES>;
 
 /// Worlds side by side. Rates, and what is derived from them, are those over a step.
+///
+/// They go from sample to sample. The steps in between are taken only where the bounds say that one of them may
+/// set a new extreme: what they find changes nothing elsewhere, so a world does not depend on its neighbours.
 #[derive(Debug, Default)]
 pub(super) struct Pressed {
-    state: [[Lane; STATES]; STATES],
-    from: [[Lane; 2]; STATES],
-    to: [[Lane; 2]; STATES],
+    sample: Steps,
+    step: Steps,
+    bounds: [[Lane; WEIGHED]; 3],
     /// k/m, c/(m h), c h/m, m/I.
     spring: Lane,
     dashpot: Lane,
@@ -28,15 +31,11 @@ pub(super) struct Pressed {
     /// θ̈ by x and θ.
     righting: [Lane; 2],
     arms: [Lane; 2],
-    /// 1 over the load of an edge at rest, and its compression.
+    /// 1 over the load of an edge at rest, its compression, and the larger of both.
     relief: [Lane; 2],
     sunk: [Lane; 2],
+    deepest: Lane,
     pub(super) y: [Lane; STATES],
-    /// Part of its load that an edge has lost: 1 where it lets go; and its rate.
-    lost: [Lane; 2],
-    losing: [Lane; 2],
-    press: [Lane; 2],
-    pressing: [Lane; 2],
     /// 1 until an edge has lost more than [`FIRM_RATIO`] of its load.
     pub(super) holds: Lane,
     /// Where the step began in which it did, and how many steps after the start of the block.
@@ -48,16 +47,16 @@ pub(super) struct Pressed {
     pub(super) peak: [Lane; 2],
 }
 
-impl Pressed {
-    /// Puts a world into a lane, with what it has reached so far.
-    pub(super) fn enter(
-        &mut self,
-        lane: usize,
-        body: &Body,
-        recursion: &Recursion,
-        y: &[f64; STATES],
-    ) {
-        let h = body.step_s;
+/// [`Recursion`] in every lane.
+#[derive(Debug, Default)]
+struct Steps {
+    state: [[Lane; STATES]; STATES],
+    from: [[Lane; 2]; STATES],
+    to: [[Lane; 2]; STATES],
+}
+
+impl Steps {
+    fn enter(&mut self, lane: usize, recursion: &Recursion) {
         for (columns, row) in self.state.iter_mut().zip(&recursion.state) {
             for (column, value) in columns.iter_mut().zip(row) {
                 column[lane] = *value;
@@ -70,6 +69,70 @@ impl Pressed {
         for (columns, rows) in ways {
             for (column, value) in columns.iter_mut().flatten().zip(rows.iter().flatten()) {
                 column[lane] = *value;
+            }
+        }
+    }
+
+    fn leave(&mut self, lane: usize) {
+        let columns = self.state.iter_mut().flatten();
+        let ways = self.from.iter_mut().chain(&mut self.to).flatten();
+        columns.chain(ways).for_each(|column| column[lane] = 0.0);
+    }
+
+    /// y after it, while the base acceleration goes from the first to the second of each way.
+    #[inline(always)]
+    fn after<S: Simd>(
+        &self,
+        m: Math<S>,
+        i: usize,
+        y: [Numbers<S>; STATES],
+        [a, a_end]: [Numbers<S>; 2],
+        vertical: Option<[Numbers<S>; 2]>,
+    ) -> [Numbers<S>; STATES] {
+        six!(k, {
+            let row = &self.state[k];
+            let mut one = m.mul(self.from[k][0].get::<S>(i), a);
+            let mut two = m.mul(self.to[k][0].get::<S>(i), a_end);
+            if let Some([v, v_end]) = vertical {
+                one = m.fma(self.from[k][1].get::<S>(i), v, one);
+                two = m.fma(self.to[k][1].get::<S>(i), v_end, two);
+            }
+            one = m.fma(row[0].get::<S>(i), y[0], one);
+            two = m.fma(row[1].get::<S>(i), y[1], two);
+            one = m.fma(row[2].get::<S>(i), y[2], one);
+            two = m.fma(row[3].get::<S>(i), y[3], two);
+            one = m.fma(row[4].get::<S>(i), y[4], one);
+            two = m.fma(row[5].get::<S>(i), y[5], two);
+            m.add(one, two)
+        })
+    }
+}
+
+/// What a world has reached before it enters a lane.
+pub(super) struct Reached {
+    pub(super) lost: f64,
+    pub(super) pressed: f64,
+    pub(super) peaks: [f64; 2],
+}
+
+impl Pressed {
+    /// Puts a world into a lane, with what it has reached so far.
+    pub(super) fn enter(
+        &mut self,
+        lane: usize,
+        body: &Body,
+        step: &Recursion,
+        sample: &Sample,
+        y: &[f64; STATES],
+        reached: &Reached,
+    ) {
+        let h = body.step_s;
+        self.step.enter(lane, step);
+        self.sample.enter(lane, &sample.recursion);
+        let Bounds { lost, press, up } = &sample.bounds;
+        for (columns, weights) in self.bounds.iter_mut().zip([lost, press, up]) {
+            for (column, weight) in columns.iter_mut().zip(weights) {
+                column[lane] = *weight;
             }
         }
         for (column, value) in self.y.iter_mut().zip(y) {
@@ -86,36 +149,23 @@ impl Pressed {
             self.arms[edge][lane] = body.rest.arm_x[edge];
             self.relief[edge][lane] = 1.0 / body.rest.loads[edge];
             self.sunk[edge][lane] = body.rest.compressions[edge];
-            // Nothing is interpolated over a step that was not seen.
-            self.lost[edge][lane] = 0.0;
-            self.losing[edge][lane] = 0.0;
-            self.press[edge][lane] = 0.0;
-            self.pressing[edge][lane] = 0.0;
-            self.peak[edge][lane] = 0.0;
+            self.peak[edge][lane] = reached.peaks[edge];
         }
+        self.deepest[lane] = self.sunk[0][lane].max(self.sunk[1][lane]);
         self.holds[lane] = 1.0;
-        self.most_lost[lane] = 0.0;
-        self.most_pressed[lane] = 0.0;
+        self.most_lost[lane] = reached.lost;
+        self.most_pressed[lane] = reached.pressed;
     }
 
     /// Takes a world out of a lane: zeros do nothing.
     pub(super) fn leave(&mut self, lane: usize) {
-        for row in &mut self.state {
-            for column in row {
-                column[lane] = 0.0;
-            }
-        }
-        for column in self
-            .from
-            .iter_mut()
-            .chain(&mut self.to)
-            .flatten()
-            .chain(&mut self.y)
-            .chain(&mut self.relief)
-        {
+        self.step.leave(lane);
+        self.sample.leave(lane);
+        let bounds = self.bounds.iter_mut().flatten();
+        for column in bounds.chain(&mut self.y).chain(&mut self.relief) {
             column[lane] = 0.0;
         }
-        self.holds[lane] = 0.0;
+        (self.holds[lane], self.deepest[lane]) = (0.0, 0.0);
     }
 }
 
@@ -164,125 +214,202 @@ fn middle<S: Simd>(m: Math<S>, from: [Numbers<S>; 2], to: [Numbers<S>; 2]) -> Nu
     )
 }
 
+/// What is found of both edges at an instant.
+#[derive(Clone, Copy)]
+struct Found<S: Simd> {
+    /// Part of its load that an edge has lost: 1 where it lets go; and its rate.
+    lost: [Numbers<S>; 2],
+    losing: [Numbers<S>; 2],
+    press: [Numbers<S>; 2],
+    pressing: [Numbers<S>; 2],
+    /// Upward in the inertial frame; relative to the base it is less by its acceleration.
+    up: [Numbers<S>; 2],
+}
+
 impl Pressed {
     #[inline(always)]
     fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground, parts: usize) {
+        let mut y = six!(k, self.y[k].get::<S>(i));
+        for (sample, ends) in ground.horizontal.windows(2).enumerate() {
+            let a = [ends[0].get::<S>(i), ends[1].get::<S>(i)];
+            let vertical = match ground.vertical.get(sample..) {
+                Some([from, to, ..]) => Some([from.get::<S>(i), to.get::<S>(i)]),
+                _ => None,
+            };
+            if self.may_find::<S>(m, i, y, a, vertical) {
+                self.look::<S>(m, i, y, a, vertical, sample * parts, parts);
+            }
+            y = self.sample.after::<S>(m, i, y, a, vertical);
+        }
+        for (column, value) in self.y.iter_mut().zip(y) {
+            column.set::<S>(i, value);
+        }
+    }
+
+    /// Whether a step within a sample could find more in any lane than was found before.
+    #[inline(always)]
+    fn may_find<S: Simd>(
+        &self,
+        m: Math<S>,
+        i: usize,
+        y: [Numbers<S>; STATES],
+        a: [Numbers<S>; 2],
+        vertical: Option<[Numbers<S>; 2]>,
+    ) -> bool {
+        let sizes = six!(k, m.abs(y[k]));
+        let a = m.larger(m.abs(a[0]), m.abs(a[1]));
+        let most = each!(
+            of,
+            {
+                let weights = &self.bounds[of];
+                let mut one = m.mul(weights[STATES].get::<S>(i), a);
+                let mut two = m.mul(weights[0].get::<S>(i), sizes[0]);
+                if let Some(v) = vertical {
+                    let v = m.larger(m.abs(v[0]), m.abs(v[1]));
+                    one = m.fma(weights[STATES + 1].get::<S>(i), v, one);
+                }
+                one = m.fma(weights[1].get::<S>(i), sizes[1], one);
+                two = m.fma(weights[2].get::<S>(i), sizes[2], two);
+                one = m.fma(weights[3].get::<S>(i), sizes[3], one);
+                two = m.fma(weights[4].get::<S>(i), sizes[4], two);
+                m.fma(weights[5].get::<S>(i), sizes[5], m.add(one, two))
+            },
+            0 1 2
+        );
+        let lost = self.most_lost.get::<S>(i);
+        let pressed = m.add(self.deepest.get::<S>(i), most[1]);
+        let pressed = m.ge(self.most_pressed.get::<S>(i), pressed);
+        let up = [self.peak[0].get::<S>(i), self.peak[1].get::<S>(i)];
+        let up = m.ge(m.smaller(up[0], up[1]), most[2]);
+        // What follows from pads that pull does not count.
+        let rest = m.or(m.gt(lost, m.splat(1.0)), m.and(pressed, up));
+        // Numbers that are none are looked at.
+        m.any(m.not(m.and(m.ge(lost, most[0]), rest)))
+    }
+
+    /// The steps of a sample, the first of them so many after the start of the block.
+    #[inline(always)]
+    fn look<S: Simd>(
+        &mut self,
+        m: Math<S>,
+        i: usize,
+        mut y: [Numbers<S>; STATES],
+        [a_from, a_to]: [Numbers<S>; 2],
+        vertical: Option<[Numbers<S>; 2]>,
+        first: usize,
+        parts: usize,
+    ) {
         let (zero, one, limit) = (m.splat(0.0), m.splat(1.0), m.splat(FIRM_RATIO));
         let share = 1.0 / parts as f64;
-        let moves_up = !ground.vertical.is_empty();
+        let change = m.sub(a_to, a_from);
+        let [v_from, v_to] = match vertical {
+            Some(v) => v,
+            None => [zero; 2],
+        };
+        let v_change = m.sub(v_to, v_from);
+        let mut was = self.found::<S>(m, i, y, v_from);
+        for part in 0..parts {
+            let (start, end) = (
+                m.splat(part as f64 * share),
+                m.splat((part + 1) as f64 * share),
+            );
+            let a = [m.fma(start, change, a_from), m.fma(end, change, a_from)];
+            let v = [m.fma(start, v_change, v_from), m.fma(end, v_change, v_from)];
+            let before = y;
+            let vertical = match vertical {
+                Some(_) => Some(v),
+                None => None,
+            };
+            y = self.step.after::<S>(m, i, y, a, vertical);
+            let found = self.found::<S>(m, i, y, v[1]);
+            let mut most = self.most_lost.get::<S>(i);
+            let mut pressed = self.most_pressed.get::<S>(i);
+            let mut now = zero;
+            for edge in 0..2 {
+                let inside = middle(
+                    m,
+                    [was.lost[edge], was.losing[edge]],
+                    [found.lost[edge], found.losing[edge]],
+                );
+                now = m.larger(now, m.larger(found.lost[edge], inside));
+                let inside = middle(
+                    m,
+                    [was.press[edge], was.pressing[edge]],
+                    [found.press[edge], found.pressing[edge]],
+                );
+                let deepest = m.larger(found.press[edge], inside);
+                pressed = m.larger(m.add(self.sunk[edge].get::<S>(i), deepest), pressed);
+            }
+            was = found;
+            most = m.larger(now, most);
+            self.most_lost.set::<S>(i, most);
+            // What follows from pads that pull does not count.
+            let counts = m.ge(one, most);
+            for (column, up) in self.peak.iter_mut().zip(found.up) {
+                let peak = column.get::<S>(i);
+                column.set::<S>(i, m.select(counts, m.larger(up, peak), peak));
+            }
+            let old = self.most_pressed.get::<S>(i);
+            self.most_pressed
+                .set::<S>(i, m.select(counts, pressed, old));
+            let open = m.gt(self.holds.get::<S>(i), zero);
+            let leaves = m.and(open, m.gt(now, limit));
+            if m.any(leaves) {
+                for (column, before) in self.left.iter_mut().zip(before) {
+                    let old = column.get::<S>(i);
+                    column.set::<S>(i, m.select(leaves, before, old));
+                }
+                let old = self.left_at.get::<S>(i);
+                let step = m.splat((first + part) as f64);
+                self.left_at.set::<S>(i, m.select(leaves, step, old));
+                let old = self.holds.get::<S>(i);
+                self.holds.set::<S>(i, m.select(leaves, zero, old));
+            }
+        }
+    }
+
+    /// What each edge carries more than at rest, and the accelerations that follow.
+    #[inline(always)]
+    fn found<S: Simd>(
+        &self,
+        m: Math<S>,
+        i: usize,
+        y: [Numbers<S>; STATES],
+        v: Numbers<S>,
+    ) -> Found<S> {
+        let zero = m.splat(0.0);
         let (spring, dashpot, inertial) = (
             self.spring.get::<S>(i),
             self.dashpot.get::<S>(i),
             self.inertial.get::<S>(i),
         );
-        let (turning, arms) = (
-            self.turning.get::<S>(i),
-            [self.arms[0].get::<S>(i), self.arms[1].get::<S>(i)],
+        let arms = two!(edge, self.arms[edge].get::<S>(i));
+        let press = two!(edge, m.fma(arms[edge], y[2], m.sub(zero, y[1])));
+        let pressing = two!(edge, m.fma(arms[edge], y[5], m.sub(zero, y[4])));
+        let load = two!(
+            edge,
+            m.fma(spring, press[edge], m.mul(dashpot, pressing[edge]))
         );
-        let mut y = six!(k, self.y[k].get::<S>(i));
-        let mut step = 0.0;
-        for (sample, ends) in ground.horizontal.windows(2).enumerate() {
-            let (a_from, a_to) = (ends[0].get::<S>(i), ends[1].get::<S>(i));
-            let change = m.sub(a_to, a_from);
-            let (mut v_from, mut v_to) = (zero, zero);
-            if let [from, to, ..] = ground.vertical.get(sample..).unwrap_or_default() {
-                (v_from, v_to) = (from.get::<S>(i), to.get::<S>(i));
-            }
-            let v_change = m.sub(v_to, v_from);
-            for part in 0..parts {
-                let (start, end) = (
-                    m.splat(part as f64 * share),
-                    m.splat((part + 1) as f64 * share),
-                );
-                let (a, a_end) = (m.fma(start, change, a_from), m.fma(end, change, a_from));
-                let (v, v_end) = (m.fma(start, v_change, v_from), m.fma(end, v_change, v_from));
-                let before = y;
-                y = six!(k, {
-                    let row = &self.state[k];
-                    let mut one = m.mul(self.from[k][0].get::<S>(i), a);
-                    let mut two = m.mul(self.to[k][0].get::<S>(i), a_end);
-                    if moves_up {
-                        one = m.fma(self.from[k][1].get::<S>(i), v, one);
-                        two = m.fma(self.to[k][1].get::<S>(i), v_end, two);
-                    }
-                    one = m.fma(row[0].get::<S>(i), before[0], one);
-                    two = m.fma(row[1].get::<S>(i), before[1], two);
-                    one = m.fma(row[2].get::<S>(i), before[2], one);
-                    two = m.fma(row[3].get::<S>(i), before[3], two);
-                    one = m.fma(row[4].get::<S>(i), before[4], one);
-                    two = m.fma(row[5].get::<S>(i), before[5], two);
-                    m.add(one, two)
-                });
-                // What each edge carries more than at rest, and the accelerations that follow.
-                let press = two!(edge, m.fma(arms[edge], y[2], m.sub(zero, y[1])));
-                let pressing = two!(edge, m.fma(arms[edge], y[5], m.sub(zero, y[4])));
-                let load = two!(
-                    edge,
-                    m.fma(spring, press[edge], m.mul(dashpot, pressing[edge]))
-                );
-                let lift = m.add(load[0], load[1]);
-                let couple = m.fma(arms[0], load[0], m.mul(arms[1], load[1]));
-                let righting = m.fma(
-                    self.righting[0].get::<S>(i),
-                    y[0],
-                    m.mul(self.righting[1].get::<S>(i), y[2]),
-                );
-                let spin = m.fnma(turning, couple, righting);
-                let open = m.gt(self.holds.get::<S>(i), zero);
-                let mut most = self.most_lost.get::<S>(i);
-                let mut pressed = self.most_pressed.get::<S>(i);
-                let (mut now, mut rising) = (zero, [zero; 2]);
-                for edge in 0..2 {
-                    // Upward in the inertial frame; relative to the base it is less by its acceleration.
-                    let up = m.fnma(arms[edge], spin, lift);
-                    let relief = m.sub(zero, self.relief[edge].get::<S>(i));
-                    let lost = m.mul(relief, load[edge]);
-                    let change = m.fnma(inertial, m.sub(up, v_end), m.mul(spring, pressing[edge]));
-                    let losing = m.mul(relief, change);
-                    let lost_before = [self.lost[edge].get::<S>(i), self.losing[edge].get::<S>(i)];
-                    let inside = middle(m, lost_before, [lost, losing]);
-                    now = m.larger(now, m.larger(lost, inside));
-                    let press_before = [
-                        self.press[edge].get::<S>(i),
-                        self.pressing[edge].get::<S>(i),
-                    ];
-                    let inside = middle(m, press_before, [press[edge], pressing[edge]]);
-                    let deepest = m.add(self.sunk[edge].get::<S>(i), m.larger(press[edge], inside));
-                    pressed = m.larger(deepest, pressed);
-                    rising[edge] = up;
-                    self.lost[edge].set::<S>(i, lost);
-                    self.losing[edge].set::<S>(i, losing);
-                    self.press[edge].set::<S>(i, press[edge]);
-                    self.pressing[edge].set::<S>(i, pressing[edge]);
-                }
-                most = m.larger(now, most);
-                self.most_lost.set::<S>(i, most);
-                // What follows from pads that pull does not count.
-                let counts = m.ge(one, most);
-                for (column, rising) in self.peak.iter_mut().zip(rising) {
-                    let peak = column.get::<S>(i);
-                    column.set::<S>(i, m.select(counts, m.larger(rising, peak), peak));
-                }
-                let old = self.most_pressed.get::<S>(i);
-                self.most_pressed
-                    .set::<S>(i, m.select(counts, pressed, old));
-                let leaves = m.and(open, m.gt(now, limit));
-                if m.any(leaves) {
-                    for (column, before) in self.left.iter_mut().zip(before) {
-                        let old = column.get::<S>(i);
-                        column.set::<S>(i, m.select(leaves, before, old));
-                    }
-                    let old = self.left_at.get::<S>(i);
-                    self.left_at
-                        .set::<S>(i, m.select(leaves, m.splat(step), old));
-                    let old = self.holds.get::<S>(i);
-                    self.holds.set::<S>(i, m.select(leaves, zero, old));
-                }
-                step += 1.0;
-            }
-        }
-        for (column, value) in self.y.iter_mut().zip(y) {
-            column.set::<S>(i, value);
+        let lift = m.add(load[0], load[1]);
+        let couple = m.fma(arms[0], load[0], m.mul(arms[1], load[1]));
+        let righting = m.fma(
+            self.righting[0].get::<S>(i),
+            y[0],
+            m.mul(self.righting[1].get::<S>(i), y[2]),
+        );
+        let spin = m.fnma(self.turning.get::<S>(i), couple, righting);
+        let up = two!(edge, m.fnma(arms[edge], spin, lift));
+        let relief = two!(edge, m.sub(zero, self.relief[edge].get::<S>(i)));
+        let change = two!(
+            edge,
+            m.fma(inertial, m.sub(up[edge], v), m.mul(spring, pressing[edge]))
+        );
+        Found {
+            lost: two!(edge, m.mul(relief[edge], load[edge])),
+            losing: two!(edge, m.mul(relief[edge], change[edge])),
+            press,
+            pressing,
+            up,
         }
     }
 }

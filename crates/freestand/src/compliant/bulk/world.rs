@@ -2,8 +2,8 @@
 
 use super::body::Body;
 use super::lifted::{CONTACT_CHANGES, FALLEN, Lifted, PULSE_ENDS, SAMPLE_ENDS};
-use super::linear::{Recursion, STATES};
-use super::pressed::Pressed;
+use super::linear::{Recursion, STATES, Sample};
+use super::pressed::{FIRM_RATIO, Pressed, Reached};
 use super::{CompliantSummary, PadOutcome};
 use crate::compliant::CompliantError;
 use crate::motion::Motion;
@@ -33,7 +33,8 @@ enum State {
 #[derive(Debug)]
 pub(super) struct World<'a> {
     body: Body,
-    recursion: Recursion,
+    step: Recursion,
+    sample: Sample,
     horizontal: &'a [f64],
     vertical: &'a [f64],
     dt_s: f64,
@@ -61,8 +62,10 @@ impl<'a> World<'a> {
         vertical: &'a [f64],
     ) -> Self {
         let deepest = body.rest.compressions[0].max(body.rest.compressions[1]);
+        let step = Recursion::new(&body);
         Self {
-            recursion: Recursion::new(&body),
+            sample: Sample::new(&body, &step),
+            step,
             horizontal,
             vertical,
             dt_s: motion.dt_s(),
@@ -143,7 +146,13 @@ impl<'a> World<'a> {
             State::Pressed(y) => y,
             State::Lifted { .. } => [0.0; STATES],
         };
-        pressed.enter(lane, &self.body, &self.recursion, &y);
+        let reached = Reached {
+            // After the screen it matters only where it leaves.
+            lost: if self.is_screened { FIRM_RATIO } else { 0.0 },
+            pressed: self.summary.peak_compression_m,
+            peaks: self.summary.peak_edge_accelerations_m_s2,
+        };
+        pressed.enter(lane, &self.body, &self.step, &self.sample, &y, &reached);
     }
 
     /// Out of such a lane, `done` samples after the start of the block in which the lane is; whether an edge
