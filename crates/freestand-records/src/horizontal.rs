@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use freestand::measures::{cumulative_trapezoid, longest};
+use freestand::measures::{cumulative_trapezoid, longest, longest_integral};
 use freestand::motion::{Motion, MotionError};
 
 use crate::write::{write_csv, write_pair_csv};
@@ -45,11 +45,13 @@ impl HorizontalMotion {
     /// Largest velocity, from rest by the trapezoid rule; of two components, the largest in any
     /// direction \[m/s\].
     pub fn peak_velocity_m_s(&self) -> f64 {
-        let velocity = |motion: &Motion| cumulative_trapezoid(motion.dt_s(), motion.accel_m_s2());
-        let along = velocity(&self.along);
-        match self.across.as_ref().map(velocity) {
-            None => along.iter().fold(0.0, |peak: f64, v| peak.max(v.abs())),
-            Some(across) => longest(&along, &across),
+        let (dt_s, along) = (self.along.dt_s(), self.along.accel_m_s2());
+        match &self.across {
+            None => {
+                let velocity = cumulative_trapezoid(dt_s, along);
+                velocity.iter().fold(0.0, |peak, v| peak.max(v.abs()))
+            }
+            Some(across) => longest_integral(dt_s, along, across.accel_m_s2()),
         }
     }
 

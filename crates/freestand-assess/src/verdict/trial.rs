@@ -424,16 +424,21 @@ pub(super) fn live_telling(
         for (range, places) in groups {
             let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
             let levels = grouped(places.iter().map(level));
-            each_floor(
+            each_block(
                 context,
                 range,
                 &levels,
                 Change::None,
-                |on_floor, worlds, floors| {
-                    let together: Vec<&Trial> =
-                        on_floor.iter().map(|&place| &trials[place]).collect();
-                    let more = lived_on_floor(context, worlds, &together, floors, Change::None)?;
-                    for (&place, more) in on_floor.iter().zip(more) {
+                |worlds, on_floors| {
+                    let standing: Vec<Standing> = on_floors
+                        .iter()
+                        .map(|&(place, floors)| Standing {
+                            trial: &trials[place],
+                            floors,
+                        })
+                        .collect();
+                    let more = lived_together(context, worlds, &standing, Change::None)?;
+                    for (&(place, _), more) in on_floors.iter().zip(more) {
                         trials[place].lived.extend(more);
                     }
                     Ok(())
@@ -466,7 +471,7 @@ pub(super) fn grouped<K: PartialEq>(
 /// 45 s.
 const MAX_HELD: usize = 1024;
 
-/// Worlds that are lived through together: a run that is stopped loses those that it is in, on one floor.
+/// Worlds that are lived through together: a run that is stopped loses those that it is in.
 const BLOCK: usize = 40;
 
 /// An object that lives through its first worlds, as they are or with a change.
@@ -490,45 +495,52 @@ pub(super) fn live_again(
         let levels = grouped(places.iter().map(level));
         let most = places.iter().map(|&place| lives[place].worlds).max();
         let range = 0..most.unwrap_or(0);
-        each_floor(
-            context,
-            range,
-            &levels,
-            of_floors,
-            |on_floor, block, floors| {
-                let here = on_floor
+        each_block(context, range, &levels, of_floors, |block, on_floors| {
+            let here = on_floors
+                .iter()
+                .enumerate()
+                .filter(|(_, (place, _))| lives[*place].worlds > block.start);
+            let alike = here.map(|(among, &(place, _))| {
+                let life = &lives[place];
+                ((life.change, life.worlds.min(block.end)), among)
+            });
+            for ((change, end), together) in grouped(alike) {
+                let worlds = block.start..end;
+                let standing: Vec<Standing> = together
                     .iter()
-                    .filter(|&&place| lives[place].worlds > block.start);
-                let alike = here.map(|&place| {
-                    let life = &lives[place];
-                    ((life.change, life.worlds.min(block.end)), place)
-                });
-                for ((change, end), places) in grouped(alike) {
-                    let together: Vec<&Trial> =
-                        places.iter().map(|&place| lives[place].trial).collect();
-                    let worlds = block.start..end;
-                    let floors = &floors[..worlds.len()];
-                    let more = lived_on_floor(context, worlds, &together, floors, change)?;
-                    places
-                        .into_iter()
-                        .zip(more)
-                        .for_each(|(place, more)| tell(place, more));
+                    .map(|&among| {
+                        let (place, floors) = on_floors[among];
+                        Standing {
+                            trial: lives[place].trial,
+                            floors: &floors[..worlds.len()],
+                        }
+                    })
+                    .collect();
+                let more = lived_together(context, worlds, &standing, change)?;
+                for (among, more) in together.into_iter().zip(more) {
+                    tell(on_floors[among].0, more);
                 }
-                Ok(())
-            },
-        )?;
+            }
+            Ok(())
+        })?;
     }
     Ok(())
 }
 
-/// Lives through some worlds block by block, and in each floor by floor, with the places of the objects on
-/// each.
-fn each_floor(
+/// An object, and the motions of its floor in some worlds.
+#[derive(Clone, Copy)]
+struct Standing<'t, 'a> {
+    trial: &'t Trial<'a>,
+    floors: &'t [Arc<FloorOfWorld>],
+}
+
+/// Lives through some worlds block by block, with the place of every object and the motions of its floor.
+fn each_block(
     context: &Context,
     range: Range<u32>,
     levels: &[(u64, Vec<usize>)],
     change: Change,
-    mut live: impl FnMut(&[usize], Range<u32>, &[Arc<FloorOfWorld>]) -> Result<(), Problems>,
+    mut live: impl FnMut(Range<u32>, &[(usize, &[Arc<FloorOfWorld>])]) -> Result<(), Problems>,
 ) -> Result<(), Problems> {
     let levels_ratio: Vec<f64> = levels
         .iter()
@@ -538,36 +550,39 @@ fn each_floor(
     for from in range.clone().step_by(block) {
         let worlds = from..range.end.min(from + block as u32);
         let floors = floors(context, &levels_ratio, worlds.clone(), change)?;
-        for ((_, places), floors) in levels.iter().zip(floors) {
-            context.go_on()?;
-            live(places, worlds.clone(), &floors)?;
-        }
+        let by_floor = levels.iter().zip(&floors);
+        let on_floors: Vec<(usize, &[Arc<FloorOfWorld>])> = by_floor
+            .flat_map(|((_, places), floors)| places.iter().map(move |&place| (place, &floors[..])))
+            .collect();
+        context.go_on()?;
+        live(worlds, &on_floors)?;
     }
     Ok(())
 }
 
-/// Objects on one floor in some worlds, `[object][world]`.
-fn lived_on_floor(
+/// Objects in some worlds, `[object][world]`.
+fn lived_together(
     context: &Context,
     range: Range<u32>,
-    trials: &[&Trial],
-    floors: &[Arc<FloorOfWorld>],
+    standing: &[Standing],
     change: Change,
 ) -> Result<Vec<Vec<Lived>>, Problems> {
     let settings = &context.study.assessment;
     let in_world = |world: u32| -> Vec<Draw> {
-        trials
+        standing
             .iter()
-            .map(|trial| draw(settings, &trial.subject, trial.member.key, world, change))
+            .map(|Standing { trial, .. }| {
+                draw(settings, &trial.subject, trial.member.key, world, change)
+            })
             .collect()
     };
     let draws: Vec<Vec<Draw>> = range.clone().into_par_iter().map(in_world).collect();
     let rigid: Vec<Result<Vec<Option<RigidResponse>>, Problems>> = draws
         .par_iter()
-        .zip(floors)
-        .map(|(draws, floor)| {
+        .enumerate()
+        .map(|(world, draws)| {
             context.go_on()?;
-            Ok(rigid_in_world(context, trials, draws, floor))
+            Ok(rigid_in_world(context, standing, draws, world))
         })
         .collect();
     let rigid: Vec<Vec<Option<RigidResponse>>> = rigid.into_iter().collect::<Result<_, _>>()?;
@@ -575,25 +590,25 @@ fn lived_on_floor(
     let slips: Vec<Vec<bool>> = rigid
         .par_iter()
         .zip(&draws)
-        .zip(floors)
-        .map(|((rigid, draws), floor)| {
-            let objects = trials.iter().zip(rigid).zip(draws);
+        .enumerate()
+        .map(|(world, (rigid, draws))| {
+            let objects = standing.iter().zip(rigid).zip(draws);
             objects
-                .map(|((trial, rigid), draw)| slips(&trial.subject, draw, floor, rigid.as_ref()))
+                .map(|((Standing { trial, floors }, rigid), draw)| {
+                    slips(&trial.subject, draw, &floors[world], rigid.as_ref())
+                })
                 .collect()
         })
         .collect();
-    let alone = |one: &&&Trial| matches!(one.subject.way, Way::Hull(..));
-    let planes = |trial: &&Trial| trial.subject.axes.len() as u64;
-    let effort = trials
-        .iter()
-        .filter(|one| !alone(one))
-        .map(planes)
-        .sum::<u64>()
-        + ALONE * trials.iter().filter(alone).count() as u64;
+    let of_one = |Standing { trial, .. }: &Standing| match trial.subject.way {
+        Way::Hull(..) => ALONE,
+        _ => trial.subject.axes.len() as u64,
+    };
+    let effort: u64 = standing.iter().map(of_one).sum();
     context.add(effort * range.len() as u64);
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     let of_object = |place: usize| {
+        let floors = standing[place].floors;
         let worlds = rigid.iter_mut().zip(&draws).zip(floors).zip(&slips);
         let one = worlds.map(|(((rigid, draws), floor), slips)| Lived {
             draw: draws[place],
@@ -607,30 +622,27 @@ fn lived_on_floor(
         });
         one.collect()
     };
-    let mut lived: Vec<Vec<Lived>> = (0..trials.len()).map(of_object).collect();
+    let mut lived: Vec<Vec<Lived>> = (0..standing.len()).map(of_object).collect();
     // On pads the worlds that were lived through stay as they are.
     let is_known = |trial: &Trial| change.leaves_pads() && trial.worlds() >= range.end;
-    for (trial, lived) in trials
-        .iter()
-        .zip(&mut lived)
-        .filter(|(one, _)| is_known(one))
-    {
+    let known = standing.iter().map(|one| one.trial).zip(&mut lived);
+    for (trial, lived) in known.filter(|(trial, _)| is_known(trial)) {
         let before = &trial.lived[range.start as usize..range.end as usize];
         for (now, before) in lived.iter_mut().zip(before) {
             now.pads.clone_from(&before.pads);
         }
     }
     let is_asked = |place: usize, world: usize| {
-        let (trial, lived) = (trials[place], &lived[place][world]);
+        let (trial, lived) = (standing[place].trial, &lived[place][world]);
         // Where a group is drawn again, all that counts is whether any model has the event.
         let is_enough = change != Change::None && !lived.slips && has_event(trial, lived);
         trial.asks(context, Model::Pads) && !is_known(trial) && !is_enough
     };
-    let on_pads = pads_in_worlds(context, trials, is_asked, &draws, floors, range.start)?;
+    let on_pads = pads_in_worlds(context, standing, is_asked, &draws, range.start)?;
     for ((place, world), response) in on_pads {
         lived[place][world].pads = response;
     }
-    for ((place, world), response) in slipped_in_worlds(context, trials, &slips, &draws, floors)? {
+    for ((place, world), response) in slipped_in_worlds(context, standing, &slips, &draws)? {
         lived[place][world].pads = Some(response);
     }
     Ok(lived)
@@ -640,17 +652,17 @@ fn lived_on_floor(
 /// and of the world.
 fn slipped_in_worlds(
     context: &Context,
-    trials: &[&Trial],
+    standing: &[Standing],
     slips: &[Vec<bool>],
     draws: &[Vec<Draw>],
-    floors: &[Arc<FloorOfWorld>],
 ) -> Result<HashMap<(usize, usize), PadResponse>, Problems> {
     let mut jobs = Vec::new();
-    for (world, ((slips, draws), floor)) in slips.iter().zip(draws).zip(floors).enumerate() {
-        for (place, ((trial, draw), slips)) in trials.iter().zip(draws).zip(slips).enumerate() {
+    for (world, (slips, draws)) in slips.iter().zip(draws).enumerate() {
+        for (place, ((one, draw), slips)) in standing.iter().zip(draws).zip(slips).enumerate() {
+            let Standing { trial, floors } = one;
             if *slips && trial.asks(context, Model::Pads) {
                 let subject = &trial.subject;
-                jobs.push(((place, world), Drawn { subject, draw }, &**floor));
+                jobs.push(((place, world), Drawn { subject, draw }, &*floors[world]));
             }
         }
     }
@@ -693,34 +705,35 @@ pub(super) fn floors(
     Ok(found)
 }
 
+/// In one world, the index of its floors.
 fn rigid_in_world(
     context: &Context,
-    trials: &[&Trial],
+    standing: &[Standing],
     draws: &[Draw],
-    floor: &FloorOfWorld,
+    world: usize,
 ) -> Vec<Option<RigidResponse>> {
-    let asked = |trial: &&&Trial| trial.asks(context, Model::Rigid);
-    let objects: Vec<Drawn> = trials
+    let asked = |one: &Standing| one.trial.asks(context, Model::Rigid);
+    let objects: Vec<(Drawn, &FloorOfWorld)> = standing
         .iter()
         .zip(draws)
-        .filter(|(trial, _)| asked(trial))
-        .map(|(trial, draw)| Drawn {
-            subject: &trial.subject,
-            draw,
+        .filter(|(one, _)| asked(one))
+        .map(|(Standing { trial, floors }, draw)| {
+            let subject = &trial.subject;
+            (Drawn { subject, draw }, &*floors[world])
         })
         .collect();
-    let rocking = objects.iter().filter(|one| one.subject.way.rocks());
-    context.count(rocking.map(|one| one.subject.axes.len()).sum());
+    let rocking = objects.iter().filter(|(one, _)| one.subject.way.rocks());
+    context.count(rocking.map(|(one, _)| one.subject.axes.len()).sum());
     let on_bases = objects
         .iter()
-        .map(|one| Ok((one.on_rigid_base()?, floor.shaking())));
+        .map(|(one, floor)| Ok((one.on_rigid_base()?, floor.shaking())));
     let mut found = objects
         .iter()
         .zip(responses(on_bases))
-        .map(|(one, response)| one.rigid_response(floor, response));
-    trials
+        .map(|((one, floor), response)| one.rigid_response(floor, response));
+    standing
         .iter()
-        .map(|trial| asked(&trial).then(|| found.next()).flatten())
+        .map(|one| asked(one).then(|| found.next()).flatten())
         .collect()
 }
 
@@ -734,18 +747,17 @@ type PadsByPlace = Vec<((usize, usize), Option<PadResponse>)>;
 /// contact law is curved and enough worlds were followed.
 fn pads_in_worlds(
     context: &Context,
-    trials: &[&Trial],
+    standing: &[Standing],
     is_asked: impl Fn(usize, usize) -> bool,
     draws: &[Vec<Draw>],
-    floors: &[Arc<FloorOfWorld>],
     first: u32,
 ) -> Result<PadsByPlace, Problems> {
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut keys: Vec<(usize, usize)> = Vec::new();
     let mut jobs: Vec<Job> = Vec::new();
-    for (place, trial) in trials.iter().enumerate() {
+    for (place, Standing { trial, floors }) in standing.iter().enumerate() {
         let subject = &trial.subject;
-        let worlds = (first..).zip(draws).zip(floors).enumerate();
+        let worlds = (first..).zip(draws).zip(*floors).enumerate();
         for (index, ((world, draws), floor)) in worlds {
             if is_asked(place, index) {
                 let draw = &draws[place];

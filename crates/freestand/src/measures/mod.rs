@@ -11,7 +11,6 @@ pub use spectral::{SpectralMeasures, mean_period_s, spectral_measures};
 
 use crate::G0_M_S2;
 use crate::motion::Motion;
-use crate::vector::largest;
 use std::f64::consts::PI;
 
 /// Strength and duration of a motion.
@@ -184,14 +183,45 @@ fn squares(values: &[f64]) -> Vec<f64> {
 /// assert_eq!(longest(&[1.0, -3.0, 2.0], &[0.0, 4.0, 4.4]), 5.0);
 /// ```
 pub fn longest(along: &[f64], across: &[f64]) -> f64 {
-    let squares: Vec<f64> = along
-        .iter()
-        .zip(across)
-        .map(|(a, b)| a * a + b * b)
-        .collect();
-    let most = largest(&squares, |square| square);
-    let place = squares.iter().position(|square| *square == most);
-    place.map_or(0.0, |place| along[place].hypot(across[place]))
+    const ABREAST: usize = 8;
+    let square = |(a, b): (&f64, &f64)| a * a + b * b;
+    let larger = |most: f64, square: f64| if square > most { square } else { most };
+    let mut most = [0.0; ABREAST];
+    let both = along
+        .chunks_exact(ABREAST)
+        .zip(across.chunks_exact(ABREAST));
+    for (along, across) in both {
+        for lane in 0..ABREAST {
+            most[lane] = larger(most[lane], square((&along[lane], &across[lane])));
+        }
+    }
+    let rest = along.len().min(across.len()) / ABREAST * ABREAST;
+    let rest = along[rest..].iter().zip(&across[rest..]).map(square);
+    let most = most.into_iter().chain(rest).fold(0.0, larger);
+    let mut both = along.iter().zip(across);
+    let found = both.find(|both| square(*both) == most);
+    found.map_or(0.0, |(a, b)| a.hypot(*b))
+}
+
+/// The length of the longest of the vectors whose components are the running integrals of these values, as
+/// [`cumulative_trapezoid`] gives them.
+///
+/// # Example
+/// ```
+/// use freestand::measures::longest_integral;
+/// assert_eq!(longest_integral(1.0, &[0.0, 6.0, -6.0], &[0.0, 8.0, -8.0]), 5.0);
+/// ```
+pub fn longest_integral(dt_s: f64, along: &[f64], across: &[f64]) -> f64 {
+    let (mut now, mut longest, mut most) = ([0.0; 2], [0.0; 2], 0.0);
+    for (along, across) in along.windows(2).zip(across.windows(2)) {
+        now[0] += 0.5 * dt_s * (along[0] + along[1]);
+        now[1] += 0.5 * dt_s * (across[0] + across[1]);
+        let square = now[0] * now[0] + now[1] * now[1];
+        if square > most {
+            (most, longest) = (square, now);
+        }
+    }
+    f64::hypot(longest[0], longest[1])
 }
 
 /// Running integral of `values` by the trapezoid rule; starts at 0 and has as many values as the

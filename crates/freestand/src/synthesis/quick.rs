@@ -69,13 +69,19 @@ impl QuickMatcher {
         (seed, stream): (u64, u64),
     ) -> Result<Motion, SynthesisError> {
         let mut matcher = Matcher::new(&self.layout, &target_sa_g, Gain::AtPeriod)?;
-        let mut noise = noise(seed, stream);
-        let mut accel = windowed(&mut noise, &self.window, &self.options);
-        let drawn = noise();
+        let (mut accel, drawn) = self.noise(seed, stream);
         let fewer = FEWER_PASSES_BELOW.iter().find(|(below, _)| drawn < *below);
         let passes = fewer.map_or(MOST_PASSES, |(_, passes)| *passes);
         matcher.shape_noise(&mut accel);
         matcher.follow(accel, &steps(passes), over_s)
+    }
+
+    /// Noise under the window, and one number more. Apart from what depends on the target, which is compiled with
+    /// the crate that has it and is optimised as that is.
+    fn noise(&self, seed: u64, stream: u64) -> (Vec<f64>, f64) {
+        let mut noise = noise(seed, stream);
+        let accel = windowed(&mut noise, &self.window, &self.options);
+        (accel, noise())
     }
 }
 

@@ -1,8 +1,6 @@
 //! Worlds in lanes: those with both edges on their pads, and those that may lift. Whichever has more lanes to fill
 //! goes on.
 
-use std::collections::BTreeMap;
-
 use pulp::Arch;
 
 use super::LANES;
@@ -15,37 +13,16 @@ const BLOCK: usize = 32;
 
 /// Follows worlds to their ends.
 pub(super) fn run(arch: Arch, worlds: &mut [World]) {
-    let mut firm: BTreeMap<usize, Firm> = BTreeMap::new();
-    for (place, world) in worlds.iter().enumerate().rev() {
-        firm.entry(world.parts()).or_default().waiting.push(place);
-    }
+    let mut firm = Firm {
+        waiting: (0..worlds.len()).rev().collect(),
+        ..Firm::default()
+    };
     let mut loose = Loose::default();
-    loop {
-        let fullest = firm
-            .iter()
-            .map(|(parts, firm)| (firm.ready(), *parts))
-            .max();
-        let Some((ready, parts)) = fullest.filter(|(ready, _)| *ready > 0 || loose.ready() > 0)
-        else {
-            break;
-        };
-        if ready >= loose.ready() {
-            let others = firm
-                .iter()
-                .filter(|(other, _)| **other != parts)
-                .map(|(_, firm)| firm.ready())
-                .max();
-            let others = others.unwrap_or(0);
-            let Some(firm) = firm.get_mut(&parts) else {
-                break;
-            };
-            while firm.ready() > 0 && firm.ready() >= others.max(loose.ready()) {
-                firm.run(arch, worlds, parts, &mut loose.waiting);
-            }
+    while firm.ready() + loose.ready() > 0 {
+        if firm.ready() >= loose.ready() {
+            firm.run(arch, worlds, &mut loose.waiting);
         } else {
-            while loose.ready() > 0 && firm.values().all(|firm| loose.ready() > firm.ready()) {
-                loose.run(arch, worlds, &mut firm);
-            }
+            loose.run(arch, worlds, &mut firm.waiting);
         }
     }
 }
@@ -58,7 +35,7 @@ struct Seat {
     left_block: Option<usize>,
 }
 
-/// Worlds with both edges on their pads, of so many steps a sample.
+/// Worlds with both edges on their pads.
 #[derive(Debug, Default)]
 struct Firm {
     waiting: Vec<usize>,
@@ -74,7 +51,7 @@ impl Firm {
     }
 
     /// A block of samples, or to the end of a world.
-    fn run(&mut self, arch: Arch, worlds: &mut [World], parts: usize, off: &mut Vec<usize>) {
+    fn run(&mut self, arch: Arch, worlds: &mut [World], off: &mut Vec<usize>) {
         for (lane, seat) in self.seats.iter_mut().enumerate() {
             if seat.is_none()
                 && let Some(world) = self.waiting.pop()
@@ -97,7 +74,7 @@ impl Firm {
             .unwrap_or(0)
             .min(BLOCK);
         self.ground.fill(worlds, &self.seats, block);
-        pressed::follow(arch, &mut self.lanes, &self.ground, parts);
+        pressed::follow(arch, &mut self.lanes, &self.ground);
         for (lane, seat) in self.seats.iter_mut().enumerate() {
             let Some(Seat {
                 world: place,
@@ -178,7 +155,7 @@ impl Loose {
     }
 
     /// Until a world leaves its lane.
-    fn run(&mut self, arch: Arch, worlds: &mut [World], firm: &mut BTreeMap<usize, Firm>) {
+    fn run(&mut self, arch: Arch, worlds: &mut [World], on: &mut Vec<usize>) {
         for (lane, seat) in self.seats.iter_mut().enumerate() {
             if seat.is_none()
                 && let Some(world) = self.waiting.pop()
@@ -202,7 +179,7 @@ impl Loose {
                     continue;
                 };
                 if next == Next::Pressed {
-                    firm.entry(world.parts()).or_default().waiting.push(place);
+                    on.push(place);
                 }
                 self.lanes.leave(lane);
                 self.seats[lane] = None;

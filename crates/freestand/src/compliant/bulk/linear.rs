@@ -11,13 +11,14 @@ use super::body::Body;
 /// x, z, θ and h times their rates.
 pub(super) const STATES: usize = 6;
 
-/// The states, and the largest horizontal and vertical acceleration of the base: what [`Bounds`] weighs.
-pub(super) const WEIGHED: usize = STATES + 2;
+/// What [`Bounds`] weighs: the states in [`Modes`], the horizontal acceleration of the base at the start of a sample,
+/// its change, and the larger of both vertical ones.
+pub(super) const WEIGHED: usize = STATES + 3;
 
 /// The states, two accelerations of the base and their changes over the step.
 const ALL: usize = STATES + 4;
 
-type Matrix = [[f64; ALL]; ALL];
+pub(super) type Matrix = [[f64; ALL]; ALL];
 
 /// Terms of the exponential series: with steps of a third of a radian the last one is below 1e-17.
 const TERMS: i32 = 18;
@@ -95,12 +96,13 @@ type Row = [f64; STATES + 1];
 #[derive(Debug, Clone)]
 pub(super) struct Sample {
     pub(super) recursion: Recursion,
+    pub(super) modes: Modes,
     pub(super) bounds: Bounds,
 }
 
-/// Weights on the sizes of the states at the start of a sample and of the accelerations of the base in it. The
-/// sums of products are no smaller than what [`Pressed`](super::pressed::Pressed) finds at the steps of the
-/// sample and in the middle of each, on either edge.
+/// Weights on the sizes of the states and of the accelerations of the base in a sample. The sums of products are no
+/// smaller than what [`Pressed`](super::pressed::Pressed) finds at the steps of the sample and in the middle of
+/// each, on either edge.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bounds {
     /// The part of its load that an edge loses.
@@ -111,6 +113,60 @@ pub(super) struct Bounds {
     pub(super) up: [f64; WEIGHED],
 }
 
+/// The undamped modes of the block. In them forces that cancel do not count twice, so bounds are close: of the
+/// position they take what differs from that which the horizontal acceleration would hold.
+#[derive(Debug, Clone)]
+pub(super) struct Modes {
+    /// From (x, z, θ) to the modes, and back.
+    pub(super) into: [[f64; 3]; 3],
+    from: [[f64; 3]; 3],
+    /// Where an acceleration of 1 would hold each.
+    pub(super) held: [f64; 3],
+}
+
+impl Modes {
+    fn new(body: &Body) -> Self {
+        let a = rates(body);
+        // θ in the length that makes the stiffness symmetric.
+        let length = [1.0, 1.0, body.turning.sqrt().recip()];
+        let per_s2 = (body.step_s * body.step_s).recip();
+        let mut stiffness = [[0.0; 3]; 3];
+        for (i, row) in stiffness.iter_mut().enumerate() {
+            for (k, value) in row.iter_mut().enumerate() {
+                *value = -per_s2 * length[i] * a[3 + i][k] / length[k];
+            }
+        }
+        let (squares, vectors) = turned(stiffness);
+        let into: [[f64; 3]; 3] =
+            std::array::from_fn(|mode| std::array::from_fn(|k| vectors[k][mode] * length[k]));
+        Self {
+            into,
+            from: std::array::from_fn(|k| std::array::from_fn(|mode| vectors[k][mode] / length[k])),
+            held: std::array::from_fn(|mode| -into[mode][0] / squares[mode]),
+        }
+    }
+}
+
+/// Turns the axes until a symmetric matrix has nothing beside its diagonal: the diagonal, and the new axes in columns.
+/// Jacobi's method; five rounds leave nothing but rounding.
+fn turned(mut matrix: [[f64; 3]; 3]) -> ([f64; 3], [[f64; 3]; 3]) {
+    let mut axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    for (p, q) in [(0, 1), (0, 2), (1, 2)].repeat(5) {
+        let angle = 0.5 * f64::atan2(2.0 * matrix[p][q], matrix[p][p] - matrix[q][q]);
+        let (sin, cos) = angle.sin_cos();
+        let turn = |row: &mut [f64; 3]| {
+            (row[p], row[q]) = (cos * row[p] + sin * row[q], cos * row[q] - sin * row[p]);
+        };
+        matrix.iter_mut().for_each(turn);
+        axes.iter_mut().for_each(turn);
+        let both = matrix[p].into_iter().zip(matrix[q]);
+        for (k, (one, other)) in both.enumerate() {
+            (matrix[p][k], matrix[q][k]) = (cos * one + sin * other, cos * other - sin * one);
+        }
+    }
+    ([matrix[0][0], matrix[1][1], matrix[2][2]], axes)
+}
+
 /// What rounding may add to a number that is bounded: far more than it does.
 const ROUNDING: f64 = 1.0 + 1e-9;
 
@@ -119,6 +175,7 @@ impl Sample {
     pub(super) fn new(body: &Body, step: &Recursion) -> Self {
         let parts = body.parts;
         let numbers: [_; 2] = std::array::from_fn(|edge| Numbers::new(body, edge));
+        let modes = Modes::new(body);
         let mut bounds = Bounds::default();
         let mut recursion = Recursion::nothing();
         for done in 0..=parts {
@@ -137,8 +194,8 @@ impl Sample {
                 // In the middle of a step: half of the sum of both ends, and an eighth of the difference of their
                 // rates.
                 let of = |value: &Row, rate: Option<&Row>| {
-                    let mut weights = recursion.weights(value, ends);
-                    let rates = rate.map(|rate| recursion.weights(rate, ends));
+                    let mut weights = recursion.weights(&modes, value, ends);
+                    let rates = rate.map(|rate| recursion.weights(&modes, rate, ends));
                     for (weight, rate) in weights.iter_mut().zip(rates.iter().flatten()) {
                         *weight += 0.25 * rate;
                     }
@@ -155,20 +212,24 @@ impl Sample {
                 }
             }
         }
-        Self { recursion, bounds }
+        Self {
+            recursion,
+            modes,
+            bounds,
+        }
     }
 }
 
 impl Recursion {
     /// The sizes of what a number depends on at the end, which is at this share of the sample.
-    fn weights(&self, number: &Row, ends: f64) -> [f64; WEIGHED] {
-        let mut all = [0.0; WEIGHED];
+    fn weights(&self, modes: &Modes, number: &Row, ends: f64) -> [f64; WEIGHED] {
+        let mut states = [0.0; STATES];
         let mut base = [
             [0.0; 2],
             [(1.0 - ends) * number[STATES], ends * number[STATES]],
         ];
         for (k, factor) in number.iter().take(STATES).enumerate() {
-            for (value, before) in all.iter_mut().zip(&self.state[k]) {
+            for (value, before) in states.iter_mut().zip(&self.state[k]) {
                 *value += factor * before;
             }
             for (way, base) in base.iter_mut().enumerate() {
@@ -176,10 +237,19 @@ impl Recursion {
                 base[1] += factor * self.to[k][way];
             }
         }
-        for (value, [from, to]) in all[STATES..].iter_mut().zip(base) {
-            *value = from.abs() + to.abs();
+        let [horizontal, vertical] = base;
+        // A steady acceleration.
+        let mut steady = horizontal[0] + horizontal[1];
+        let mut all = [0.0; WEIGHED];
+        for mode in 0..3 {
+            let of = |states: &[f64]| (0..3).map(|k| states[k] * modes.from[k][mode]).sum::<f64>();
+            let (place, rate) = (of(&states[..3]), of(&states[3..]));
+            (all[mode], all[3 + mode]) = (place.abs(), rate.abs());
+            steady += place * modes.held[mode];
         }
-        all.map(f64::abs)
+        (all[STATES], all[STATES + 1]) = (steady.abs(), horizontal[1].abs());
+        all[STATES + 2] = vertical[0].abs() + vertical[1].abs();
+        all
     }
 }
 
@@ -228,8 +298,8 @@ impl Numbers {
         Self {
             lost: sum(&[(relief, load[edge])]),
             losing: sum(&[
-                (inertial, up),
-                (-inertial, vertical),
+                (-inertial, up),
+                (inertial, vertical),
                 (relief * spring, pressing[edge]),
             ]),
             press: press[edge],
@@ -257,7 +327,7 @@ pub(super) fn righting(body: &Body) -> [f64; 2] {
 }
 
 /// dy/dτ over a step from τ = 0 to 1.
-fn rates(body: &Body) -> Matrix {
+pub(super) fn rates(body: &Body) -> Matrix {
     let Body {
         spring,
         dashpot,
@@ -321,4 +391,74 @@ fn exponential(a: &Matrix) -> Matrix {
         }
     }
     sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::compliant::bulk::tests::leaning;
+
+    /// What is called the rate of a number is its rate, by the equations of motion.
+    #[test]
+    fn rates_of_numbers_are_rates() {
+        let body = leaning();
+        let a = rates(&body);
+        for edge in 0..2 {
+            let Numbers {
+                lost,
+                losing,
+                press,
+                pressing,
+                ..
+            } = Numbers::new(&body, edge);
+            for (number, rate) in [(lost, losing), (press, pressing)] {
+                for (state, rate) in rate.iter().enumerate() {
+                    // The vertical acceleration comes after the horizontal one and its change.
+                    let column = if state < STATES { state } else { STATES + 2 };
+                    let expected: f64 = (0..STATES).map(|k| number[k] * a[k][column]).sum();
+                    // A dozen sums and products.
+                    let size = expected.abs().max(1e-3);
+                    let error = (rate - expected).abs();
+                    // The horizontal acceleration moves no edge upward.
+                    assert_eq!(number[3], 0.0);
+                    assert!(error < 1e-12 * size, "{edge} {state}: {rate} {expected}");
+                }
+            }
+        }
+    }
+
+    /// Steps one after the other are a whole sample.
+    #[test]
+    fn a_sample_is_its_steps() {
+        let body = leaning();
+        let step = Recursion::new(&body);
+        let whole = Sample::new(&body, &step).recursion;
+        let (y, a) = (
+            [1e-3, 2e-4, -3e-3, 1e-4, 5e-5, 2e-3],
+            [[0.7, -0.2], [1.9, 0.4]],
+        );
+        let after = |one: &Recursion, y: [f64; STATES], a: [[f64; 2]; 2]| -> [f64; STATES] {
+            std::array::from_fn(|k| {
+                let state: f64 = (0..STATES).map(|i| one.state[k][i] * y[i]).sum();
+                let base = |way: usize| one.from[k][way] * a[0][way] + one.to[k][way] * a[1][way];
+                state + base(0) + base(1)
+            })
+        };
+        let mut one_by_one = y;
+        for part in 0..body.parts {
+            let at = |done: usize| {
+                let share = done as f64 / body.parts as f64;
+                [0, 1].map(|way: usize| a[0][way] + share * (a[1][way] - a[0][way]))
+            };
+            one_by_one = after(&step, one_by_one, [at(part), at(part + 1)]);
+        }
+        assert!(body.parts > 1);
+        for (once, steps) in after(&whole, y, a).into_iter().zip(one_by_one) {
+            // Rounding of some steps with numbers of this size.
+            assert!(
+                (once - steps).abs() < 1e-16 * body.parts as f64,
+                "{once} {steps}"
+            );
+        }
+    }
 }

@@ -5,8 +5,9 @@
 //! motion:
 //!
 //! * **Both edges on their pads** (`linear`, `pressed`): the linear equations of (x, z, θ), exact
-//!   from sample to sample. Their first way through the whole motion is the screen: U, the largest
-//!   part of its load at rest that an edge loses. Where U ≤ 1, that is all.
+//!   from sample to sample; the steps in between are taken where a bound says that one may set a new
+//!   extreme. Their first way through the whole motion is the screen: U, the largest part of its load
+//!   at rest that an edge loses. Where U ≤ 1, that is all.
 //! * **Else** (`lifted`), from the first 0.15 of a load lost on: exact sines, Runge–Kutta steps of a
 //!   third of a radian of the fastest vibration, shortened to the events of contacts: let go at
 //!   N = 0, touched where the edge meets the surface of its pad, which recovers as its dashpot
@@ -45,7 +46,7 @@ pub use stand::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 const LANES: usize = 16;
 
 /// Worlds that a thread takes at once: enough to fill the lanes that worlds have left.
-const WORLDS: usize = 128;
+const WORLDS: usize = 256;
 
 /// One world: an object on its pads, and what shakes it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -23,6 +23,12 @@ pub(super) struct Pressed {
     sample: Steps,
     step: Steps,
     bounds: [[Lane; WEIGHED]; 3],
+    /// [`Modes`](super::linear::Modes).
+    into: [[Lane; 3]; 3],
+    held: [Lane; 3],
+    /// Steps of a sample, and the share of each.
+    parts: Lane,
+    share: Lane,
     /// k/m, c/(m h), c h/m, m/I.
     spring: Lane,
     dashpot: Lane,
@@ -109,6 +115,7 @@ impl Steps {
 }
 
 /// What a world has reached before it enters a lane.
+#[derive(Debug, Default)]
 pub(super) struct Reached {
     pub(super) lost: f64,
     pub(super) pressed: f64,
@@ -135,9 +142,16 @@ impl Pressed {
                 column[lane] = *weight;
             }
         }
-        for (column, value) in self.y.iter_mut().zip(y) {
+        for (columns, row) in self.into.iter_mut().zip(&sample.modes.into) {
+            for (column, value) in columns.iter_mut().zip(row) {
+                column[lane] = *value;
+            }
+        }
+        let pairs = self.y.iter_mut().zip(y);
+        for (column, value) in pairs.chain(self.held.iter_mut().zip(&sample.modes.held)) {
             column[lane] = *value;
         }
+        (self.parts[lane], self.share[lane]) = (body.parts as f64, 1.0 / body.parts as f64);
         self.spring[lane] = body.spring;
         self.dashpot[lane] = body.dashpot / h;
         self.inertial[lane] = body.dashpot * h;
@@ -162,10 +176,13 @@ impl Pressed {
         self.step.leave(lane);
         self.sample.leave(lane);
         let bounds = self.bounds.iter_mut().flatten();
-        for column in bounds.chain(&mut self.y).chain(&mut self.relief) {
+        let held = self.held.iter_mut().chain(&mut self.y);
+        for column in bounds.chain(held).chain(&mut self.relief) {
             column[lane] = 0.0;
         }
-        (self.holds[lane], self.deepest[lane]) = (0.0, 0.0);
+        for column in [&mut self.holds, &mut self.deepest, &mut self.parts] {
+            column[lane] = 0.0;
+        }
     }
 }
 
@@ -177,19 +194,14 @@ pub(super) struct Ground {
     pub(super) vertical: Vec<Lane>,
 }
 
-/// Follows all lanes through a block of samples, `parts` steps from one to the next.
-pub(super) fn follow(arch: Arch, pressed: &mut Pressed, ground: &Ground, parts: usize) {
-    arch.dispatch(Follow {
-        pressed,
-        ground,
-        parts,
-    });
+/// Follows all lanes through a block of samples.
+pub(super) fn follow(arch: Arch, pressed: &mut Pressed, ground: &Ground) {
+    arch.dispatch(Follow { pressed, ground });
 }
 
 struct Follow<'a> {
     pressed: &'a mut Pressed,
     ground: &'a Ground,
-    parts: usize,
 }
 
 impl WithSimd for Follow<'_> {
@@ -199,7 +211,7 @@ impl WithSimd for Follow<'_> {
     fn with_simd<S: Simd>(self, simd: S) {
         let m = Math(simd);
         for i in 0..Lane::pairs::<S>() {
-            self.pressed.pass(m, i, self.ground, self.parts);
+            self.pressed.pass(m, i, self.ground);
         }
     }
 }
@@ -228,7 +240,7 @@ struct Found<S: Simd> {
 
 impl Pressed {
     #[inline(always)]
-    fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground, parts: usize) {
+    fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground) {
         let mut y = six!(k, self.y[k].get::<S>(i));
         for (sample, ends) in ground.horizontal.windows(2).enumerate() {
             let a = [ends[0].get::<S>(i), ends[1].get::<S>(i)];
@@ -237,7 +249,7 @@ impl Pressed {
                 _ => None,
             };
             if self.may_find::<S>(m, i, y, a, vertical) {
-                self.look::<S>(m, i, y, a, vertical, sample * parts, parts);
+                self.look::<S>(m, i, y, a, vertical, sample);
             }
             y = self.sample.after::<S>(m, i, y, a, vertical);
         }
@@ -256,23 +268,46 @@ impl Pressed {
         a: [Numbers<S>; 2],
         vertical: Option<[Numbers<S>; 2]>,
     ) -> bool {
-        let sizes = six!(k, m.abs(y[k]));
-        let a = m.larger(m.abs(a[0]), m.abs(a[1]));
+        let zero = m.splat(0.0);
+        let places = each!(
+            mode,
+            {
+                let into = &self.into[mode];
+                let held = m.mul(self.held[mode].get::<S>(i), a[0]);
+                let place = m.fma(into[0].get::<S>(i), y[0], m.sub(zero, held));
+                let place = m.fma(into[1].get::<S>(i), y[1], place);
+                m.abs(m.fma(into[2].get::<S>(i), y[2], place))
+            },
+            0 1 2
+        );
+        let rates = each!(
+            mode,
+            {
+                let into = &self.into[mode];
+                let rate = m.mul(into[0].get::<S>(i), y[3]);
+                let rate = m.fma(into[1].get::<S>(i), y[4], rate);
+                m.abs(m.fma(into[2].get::<S>(i), y[5], rate))
+            },
+            0 1 2
+        );
+        let (level, change) = (m.abs(a[0]), m.abs(m.sub(a[1], a[0])));
         let most = each!(
             of,
             {
                 let weights = &self.bounds[of];
-                let mut one = m.mul(weights[STATES].get::<S>(i), a);
-                let mut two = m.mul(weights[0].get::<S>(i), sizes[0]);
+                let mut one = m.mul(weights[STATES].get::<S>(i), level);
+                let mut two = m.mul(weights[STATES + 1].get::<S>(i), change);
                 if let Some(v) = vertical {
                     let v = m.larger(m.abs(v[0]), m.abs(v[1]));
-                    one = m.fma(weights[STATES + 1].get::<S>(i), v, one);
+                    one = m.fma(weights[STATES + 2].get::<S>(i), v, one);
                 }
-                one = m.fma(weights[1].get::<S>(i), sizes[1], one);
-                two = m.fma(weights[2].get::<S>(i), sizes[2], two);
-                one = m.fma(weights[3].get::<S>(i), sizes[3], one);
-                two = m.fma(weights[4].get::<S>(i), sizes[4], two);
-                m.fma(weights[5].get::<S>(i), sizes[5], m.add(one, two))
+                one = m.fma(weights[0].get::<S>(i), places[0], one);
+                two = m.fma(weights[1].get::<S>(i), places[1], two);
+                one = m.fma(weights[2].get::<S>(i), places[2], one);
+                two = m.fma(weights[3].get::<S>(i), rates[0], two);
+                one = m.fma(weights[4].get::<S>(i), rates[1], one);
+                two = m.fma(weights[5].get::<S>(i), rates[2], two);
+                m.add(one, two)
             },
             0 1 2
         );
@@ -287,7 +322,8 @@ impl Pressed {
         m.any(m.not(m.and(m.ge(lost, most[0]), rest)))
     }
 
-    /// The steps of a sample, the first of them so many after the start of the block.
+    /// The steps of a sample, which is so many after the start of the block. A lane with fewer steps than others
+    /// stays at the end of its last one.
     #[inline(always)]
     fn look<S: Simd>(
         &mut self,
@@ -296,11 +332,10 @@ impl Pressed {
         mut y: [Numbers<S>; STATES],
         [a_from, a_to]: [Numbers<S>; 2],
         vertical: Option<[Numbers<S>; 2]>,
-        first: usize,
-        parts: usize,
+        sample: usize,
     ) {
         let (zero, one, limit) = (m.splat(0.0), m.splat(1.0), m.splat(FIRM_RATIO));
-        let share = 1.0 / parts as f64;
+        let (parts, share) = (self.parts.get::<S>(i), self.share.get::<S>(i));
         let change = m.sub(a_to, a_from);
         let [v_from, v_to] = match vertical {
             Some(v) => v,
@@ -308,19 +343,17 @@ impl Pressed {
         };
         let v_change = m.sub(v_to, v_from);
         let mut was = self.found::<S>(m, i, y, v_from);
-        for part in 0..parts {
-            let (start, end) = (
-                m.splat(part as f64 * share),
-                m.splat((part + 1) as f64 * share),
-            );
+        let mut part = zero;
+        let mut goes_on = m.gt(parts, part);
+        while m.any(goes_on) {
+            let next = m.add(part, one);
+            let (start, end) = (m.mul(part, share), m.mul(m.smaller(next, parts), share));
             let a = [m.fma(start, change, a_from), m.fma(end, change, a_from)];
             let v = [m.fma(start, v_change, v_from), m.fma(end, v_change, v_from)];
             let before = y;
-            let vertical = match vertical {
-                Some(_) => Some(v),
-                None => None,
-            };
-            y = self.step.after::<S>(m, i, y, a, vertical);
+            let vertical = vertical.is_some().then_some(v);
+            let after = self.step.after::<S>(m, i, y, a, vertical);
+            y = six!(k, m.select(goes_on, after[k], y[k]));
             let found = self.found::<S>(m, i, y, v[1]);
             let mut most = self.most_lost.get::<S>(i);
             let mut pressed = self.most_pressed.get::<S>(i);
@@ -360,11 +393,13 @@ impl Pressed {
                     column.set::<S>(i, m.select(leaves, before, old));
                 }
                 let old = self.left_at.get::<S>(i);
-                let step = m.splat((first + part) as f64);
+                let step = m.fma(m.splat(sample as f64), parts, part);
                 self.left_at.set::<S>(i, m.select(leaves, step, old));
                 let old = self.holds.get::<S>(i);
                 self.holds.set::<S>(i, m.select(leaves, zero, old));
             }
+            part = next;
+            goes_on = m.gt(parts, part);
         }
     }
 
@@ -402,7 +437,7 @@ impl Pressed {
         let relief = two!(edge, m.sub(zero, self.relief[edge].get::<S>(i)));
         let change = two!(
             edge,
-            m.fma(inertial, m.sub(up[edge], v), m.mul(spring, pressing[edge]))
+            m.fnma(inertial, m.sub(up[edge], v), m.mul(spring, pressing[edge]))
         );
         Found {
             lost: two!(edge, m.mul(relief[edge], load[edge])),
@@ -410,6 +445,53 @@ impl Pressed {
             press,
             pressing,
             up,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::G0_M_S2;
+    use crate::compliant::bulk::linear::rates;
+    use crate::compliant::bulk::tests::leaning;
+
+    /// What is called the rate of a number is its rate, by the equations of motion.
+    #[test]
+    fn rates_of_what_is_found_are_rates() {
+        let body = leaning();
+        let step = Recursion::new(&body);
+        let mut pressed = Box::<Pressed>::default();
+        let (y, reached) = ([0.0; STATES], Reached::default());
+        let sample = Sample::new(&body, &step);
+        for lane in 0..LANES {
+            pressed.enter(lane, &body, &step, &sample, &y, &reached);
+        }
+        let m = Math(pulp::Scalar::new());
+        let found =
+            |y: [f64; STATES], v: f64| pressed.found(m, 0, y.map(|y| m.splat(y)), m.splat(v));
+        let a = rates(&body);
+        for state in 0..=STATES {
+            let mut y = [0.0; STATES];
+            let mut v = 0.0;
+            *y.get_mut(state).unwrap_or(&mut v) = G0_M_S2;
+            let mut change: [f64; STATES] =
+                std::array::from_fn(|k| (0..STATES).map(|i| a[k][i] * y[i]).sum());
+            change[4] += a[4][STATES + 2] * v;
+            let (now, by_change) = (found(y, v), found(change, 0.0));
+            for edge in 0..2 {
+                for (rate, expected) in [
+                    (now.losing[edge][0], by_change.lost[edge][0]),
+                    (now.pressing[edge][0], by_change.press[edge][0]),
+                ] {
+                    // A dozen sums and products.
+                    let size = expected.abs().max(1e-3);
+                    assert!(
+                        (rate - expected).abs() < 1e-12 * size,
+                        "{state} {edge}: {rate} {expected}"
+                    );
+                }
+            }
         }
     }
 }

@@ -100,11 +100,6 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Steps of a sample: worlds with the same number go side by side.
-    pub(super) fn parts(&self) -> usize {
-        self.body.parts
-    }
-
     pub(super) fn result(self) -> Result<CompliantSummary, CompliantError> {
         self.error.map_or(Ok(self.summary), Err)
     }
@@ -223,6 +218,12 @@ impl<'a> World<'a> {
             y,
             anchors: [anchor; 2],
         };
+    }
+
+    /// Every step of every sample, for tests.
+    #[cfg(test)]
+    pub(super) fn look_everywhere(&mut self) {
+        self.sample.bounds.lost = [f64::INFINITY; _];
     }
 
     /// Into a lane of blocks that may lift.

@@ -152,12 +152,14 @@ impl<'a> Tile<'a> {
         for block in 0..self.rockers.len() as u32 {
             self.wait(block, 0);
         }
-        for interval in 0..self.shaking.intervals() {
+        let mut next = 0;
+        while let Some(interval) = self.busy_from(next) {
             let whole = self.shaking.interval(interval);
             self.lift_waiting(interval, &whole);
             if !self.moving.is_empty() || !self.pending.is_empty() {
                 self.pass(interval, &whole);
             }
+            next = interval + 1;
         }
         if let Some(wait) = wait {
             self.settle(wait);
@@ -180,6 +182,16 @@ impl<'a> Tile<'a> {
                 record.state = State::GivenUp;
             }
         }
+    }
+
+    /// The first interval, from index `from`, in which a block moves or is lifted.
+    fn busy_from(&self, from: usize) -> Option<usize> {
+        let ahead = self.lifted_in.get(from..).unwrap_or_default();
+        match self.moving.is_empty() {
+            true => ahead.iter().position(|block| *block != NONE),
+            false => (!ahead.is_empty()).then_some(0),
+        }
+        .map(|ahead| from + ahead)
     }
 
     /// Calculates the blocks that still move after the motion, for at most `wait` intervals.

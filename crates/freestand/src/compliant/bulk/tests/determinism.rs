@@ -132,6 +132,25 @@ fn no_result_depends_on_order_company_or_threads() {
     }
 }
 
+/// The steps within samples that a bound leaves out: taken, they find nothing.
+#[test]
+fn steps_that_are_left_out_would_change_nothing() {
+    let still = Motion::new(0.01, vec![0.0; 50]).unwrap();
+    let mixed = mixed(&motions(2), &still);
+    let worlds = worlds(&mixed);
+    let found = |everywhere: bool| {
+        let ready = worlds.iter().filter_map(|one| prepare(one, G0_M_S2).ok());
+        let mut ready: Vec<World> = ready.collect();
+        if everywhere {
+            ready.iter_mut().for_each(World::look_everywhere);
+        }
+        crew::run(pulp::Arch::new(), &mut ready);
+        let results: Vec<_> = ready.into_iter().map(World::result).collect();
+        bits(&results)
+    };
+    assert_eq!(found(false), found(true));
+}
+
 #[test]
 fn every_vector_unit_gives_the_same_bits() {
     let still = Motion::new(0.01, vec![0.0; 50]).unwrap();

@@ -55,6 +55,19 @@ impl Object {
     }
 }
 
+/// One with its centre of gravity off the middle.
+pub(super) fn leaning() -> Body {
+    let object = Object {
+        block: Block::uniform(1.8, 0.6)
+            .unwrap()
+            .with_cg_offset(0.05)
+            .unwrap(),
+        ..Object::new("leaning", (1.8, 0.6), 150.0, 2e6)
+    };
+    let motion = Motion::new(0.01, vec![0.0; 3]).unwrap();
+    Body::new(&object.world(&motion), &motion, G0_M_S2).unwrap()
+}
+
 fn rack() -> Object {
     Object::new(
         "rack 2.0 x 0.9 m, 400 kg, 1500 N/mm",
