@@ -209,10 +209,10 @@ fn confidence(word: Confidence) -> String {
 pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<String> {
     let mut found = BTreeSet::new();
     for row in rows {
-        if row.confidence.0 == Some(Confidence::Recalled) {
+        if row.capacity_confidence == Some(Confidence::Recalled) {
             found.insert(format!("capacity of {}", row.measure));
         }
-        if row.confidence.1 == Confidence::Recalled {
+        if row.price_confidence == Confidence::Recalled {
             found.insert(format!("price of {}", row.measure));
         }
         if let Some(force) = &row.object.force {
@@ -326,7 +326,7 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
                 "{} {currency} each: {} ({})",
                 range([low, high]),
                 fitting.price_source,
-                confidence(row.confidence.1)
+                confidence(row.price_confidence)
             ),
         ),
         (
@@ -391,7 +391,7 @@ fn tension(units: UnitSystem, tension_n: f64) -> String {
 fn simulated(row: &PlanRow) -> String {
     let units = row.object.units;
     let force = row.effect.as_ref().and_then(|effect| effect.force_n);
-    let capacity = match (row.capacity_n, row.confidence.0) {
+    let capacity = match (row.capacity_n, row.capacity_confidence) {
         (Some(capacity_n), Some(word)) => format!(
             "median capacity {}: {} ({})",
             units.force(capacity_n),

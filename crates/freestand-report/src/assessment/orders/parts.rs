@@ -95,7 +95,7 @@ pub(super) fn csv(plan: &BudgetPlan) -> Result<Table, Problem> {
             cost_low: part.cost[0],
             cost_high: part.cost[1],
             currency: plan.currency.clone(),
-            price_confidence: part.row.confidence.1.name(),
+            price_confidence: part.row.price_confidence.name(),
             price_source: part.row.fitting.price_source.clone(),
         })
         .collect();
@@ -143,7 +143,7 @@ pub(crate) fn part_cells(plan: &BudgetPlan) -> Vec<Vec<SheetCell>> {
     let row = |part: &Part| {
         let (row, one) = (&part.row, std::slice::from_ref(part));
         let mut cells = cells(&row.measure, &row.measure_item, one);
-        cells.push(text(row.confidence.1.name()));
+        cells.push(text(row.price_confidence.name()));
         cells.push(text(&row.fitting.price_source));
         cells
     };
@@ -221,7 +221,7 @@ pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
             words(&format!(
                 "{} ({})",
                 part.row.fitting.price_source,
-                confidence(part.row.confidence.1)
+                confidence(part.row.price_confidence)
             )),
         ]
     };
