@@ -166,6 +166,10 @@ pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
         &|row| unsure(row.confidence.1),
         "Prices that are assumed or from a secondary source, to be replaced by offers",
     );
+    names(
+        &|row| row.fitting.work.is_none(),
+        "Restraints whose cost leaves out the work, because their file does not say what it takes",
+    );
     if let Some(rate) = plan.converted {
         said.push(format!(
             "Prices of built-in restraints are multiplied by {} {} for one US dollar (assumed, 2025).",

@@ -118,10 +118,13 @@ impl Budget {
             .all(|entry| per_unit(entry, &currency).is_none())
         {
             let known: Vec<&str> = PER_DOLLAR.iter().map(|(code, _)| *code).collect();
-            let message = format!(
-                "the prices of the built-in restraints are not known in {}",
-                shorten(&currency)
-            );
+            let message = match currency.as_str() {
+                "$" => "the budget does not say whose dollars it is in".to_owned(),
+                _ => format!(
+                    "the prices of the built-in restraints are not known in {}",
+                    shorten(&currency)
+                ),
+            };
             let hint = format!(
                 "give a file of restraints with prices in {}: `restraints = \"mine.csv\"`; or a budget in one of {}",
                 shorten(&currency),

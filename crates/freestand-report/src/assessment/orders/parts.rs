@@ -27,7 +27,7 @@ struct Part<'p> {
     quantity: u32,
     anchors: Option<u64>,
     price: [f64; 2],
-    minutes: f64,
+    minutes: Option<f64>,
     cost: [f64; 2],
 }
 
@@ -69,8 +69,9 @@ answer! {
         /// Without work.
         parts_low: f64,
         parts_high: f64,
-        work_minutes: f64,
-        /// With work.
+        /// Empty: not known.
+        work_minutes: Option<f64>,
+        /// With work, as far as what it costs is known.
         cost_low: f64,
         cost_high: f64,
         currency: String,
@@ -134,7 +135,7 @@ pub(crate) fn part_cells(plan: &BudgetPlan) -> Vec<Vec<SheetCell>> {
             SheetCell::Number(sum.anchors.map(|count| count as f64)),
             number(sum.price[0]),
             number(sum.price[1]),
-            number(sum.minutes),
+            SheetCell::Number(sum.minutes),
             number(sum.cost[0]),
             number(sum.cost[1]),
         ]
@@ -157,7 +158,8 @@ struct Sum {
     /// `None`: the anchors of some part are not known.
     anchors: Option<u64>,
     price: [f64; 2],
-    minutes: f64,
+    /// `None`: that of some part is not known \[min\].
+    minutes: Option<f64>,
     cost: [f64; 2],
 }
 
@@ -168,14 +170,14 @@ impl Sum {
             quantity: 0,
             anchors: Some(0),
             price: [0.0; 2],
-            minutes: 0.0,
+            minutes: Some(0.0),
             cost: [0.0; 2],
         };
         parts.iter().fold(nothing, |sum, part| Self {
             quantity: sum.quantity.saturating_add(part.quantity),
             anchors: sum.anchors.zip(part.anchors).map(|(a, b)| a + b),
             price: add(sum.price, part.price),
-            minutes: sum.minutes + part.minutes,
+            minutes: sum.minutes.zip(part.minutes).map(|(a, b)| a + b),
             cost: add(sum.cost, part.cost),
         })
     }
