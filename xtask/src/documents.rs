@@ -21,6 +21,9 @@ const OTHERS: [&str; 7] = [
     "benches/README.md",
 ];
 
+/// Folders whose `README.md`, at any depth, are followed as the other documents are.
+const WITH_READMES: [&str; 2] = ["examples", "validation"];
+
 /// Compares the documents with the list of pages, follows the links between them, and compares the
 /// version that people are asked to cite.
 ///
@@ -43,8 +46,14 @@ pub fn check(root: &Path) -> Result<(), String> {
         .filter(|page| !listed.contains(page.as_str()))
         .map(|page| format!("{page} is not in {}/SUMMARY.md", site::SOURCE))
         .collect();
-    for page in OTHERS {
-        texts.insert(page.to_owned(), site::read(&root.join(page))?);
+    let readmes = WITH_READMES
+        .iter()
+        .map(|folder| readmes(root, Path::new(folder)))
+        .collect::<Result<Vec<_>, _>>()?;
+    let others = OTHERS.iter().map(|&page| page.to_owned());
+    for page in others.chain(readmes.into_iter().flatten()) {
+        let text = site::read(&root.join(&page))?;
+        texts.insert(page, text);
     }
     for (page, text) in &texts {
         for link in site::links(&prose(text)) {
@@ -69,6 +78,20 @@ pub fn check(root: &Path) -> Result<(), String> {
     } else {
         Err(faults.join("\n"))
     }
+}
+
+/// The `README.md` of a folder and of the folders in it.
+fn readmes(root: &Path, folder: &Path) -> Result<Vec<String>, String> {
+    let mut found = Vec::new();
+    for path in site::files_of(&root.join(folder))? {
+        let inside = folder.join(path.file_name().unwrap_or_default());
+        if path.is_dir() {
+            found.extend(readmes(root, &inside)?);
+        } else if inside.ends_with("README.md") {
+            found.push(inside.to_string_lossy().replace('\\', "/"));
+        }
+    }
+    Ok(found)
 }
 
 fn leads_somewhere(
@@ -158,6 +181,14 @@ mod tests {
         let text = "# One `code`, two!\n\n```sh\n# no heading\n```\n## a\n#b\n";
         let expected = ["a", "one-code-two"].map(str::to_owned);
         assert_eq!(anchors(text), BTreeSet::from(expected));
+    }
+
+    #[test]
+    fn readmes_are_found_at_any_depth() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap();
+        let found = readmes(root, Path::new("validation")).unwrap();
+        assert!(found.contains(&"validation/cushion/README.md".to_owned()));
+        assert!(found.iter().all(|page| page.ends_with("/README.md")));
     }
 
     #[test]

@@ -293,13 +293,21 @@ fn help(program: &Path, words: &[&str]) -> Result<(String, String), String> {
     Ok((String::from_utf8_lossy(&text).into_owned(), words.join(" ")))
 }
 
-/// Names, types and meanings of the values of a schema.
+/// Names, types and meanings of the values of a schema, with those inside of objects and lists.
 fn table(schema: &Value) -> String {
-    let Some(properties) = schema["properties"].as_object() else {
+    let mut rows = Vec::new();
+    add_rows(&mut rows, "", schema);
+    if rows.is_empty() {
         return String::new();
-    };
-    let mut rows = "| name | type | meaning |\n|---|---|---|\n".to_owned();
-    for (name, value) in properties {
+    }
+    format!(
+        "| name | type | meaning |\n|---|---|---|\n{}",
+        rows.concat()
+    )
+}
+
+fn add_rows(rows: &mut Vec<String>, outer: &str, schema: &Value) {
+    for (name, value) in schema["properties"].as_object().into_iter().flatten() {
         let kinds: Vec<&str> = match &value["type"] {
             Value::Array(kinds) => kinds.iter().filter_map(Value::as_str).collect(),
             kind => kind.as_str().into_iter().collect(),
@@ -310,9 +318,17 @@ fn table(schema: &Value) -> String {
             .replace('|', "\\|")
             .replace('<', "&lt;")
             .replace('\n', " ");
-        rows += &format!("| `{name}` | {} | {meaning} |\n", kinds.join(", "));
+        let row = format!("| `{outer}{name}` | {} | {meaning} |\n", kinds.join(", "));
+        // A document with several forms has some names in each.
+        if !rows.contains(&row) {
+            rows.push(row);
+        }
+        add_rows(rows, &format!("{outer}{name}."), value);
+        add_rows(rows, &format!("{outer}{name}[]."), &value["items"]);
     }
-    rows
+    for form in schema["anyOf"].as_array().into_iter().flatten() {
+        add_rows(rows, outer, form);
+    }
 }
 
 /// Where the links of a document lead; what has a space in it is code.
@@ -405,4 +421,22 @@ fn copy_folder(from: &Path, to: &Path) -> Result<(), String> {
 
 pub fn read(path: &Path) -> Result<String, String> {
     fs::read_to_string(path).map_err(told(path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_hold_what_is_inside_of_lists_and_of_each_form() {
+        let schema = serde_json::json!({
+            "properties": {"schema": {"type": "string"}},
+            "anyOf": [{"properties": {"rows": {"type": "array", "items": {
+                "properties": {"rank": {"type": ["integer", "null"], "description": "1 is first"}}
+            }}}}]
+        });
+        let table = table(&schema);
+        assert!(table.contains("| `schema` | string |  |\n"));
+        assert!(table.contains("| `rows[].rank` | integer, null | 1 is first |\n"));
+    }
 }

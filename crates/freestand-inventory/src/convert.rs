@@ -69,12 +69,21 @@ pub fn convert_bytes(
     let (headings, body) = headings(&source);
     // A total that was not calculated is no object.
     warnings.extend(unevaluated(&source.rows, &|row| body.leaves_out(row)));
+    let mut problems = Problems::default();
+    for (column, heading) in headings.iter().enumerate() {
+        if heading.chars().any(is_unprintable) {
+            let place = format!("the heading of column {}", letters(column));
+            problems.push(Problem::value(
+                format!("{place} {UNPRINTABLE}"),
+                "type the cell again",
+            ));
+        }
+    }
     let are_words: Vec<bool> = headings.iter().map(|text| holds_words(text)).collect();
     let below = source
         .rows
         .iter()
         .filter(|row| row.number > source.header.last_row);
-    let mut problems = Problems::default();
     let rows = below
         .map(|row| {
             written(
@@ -148,6 +157,9 @@ fn holds_words(heading: &str) -> bool {
 /// Largest number of cells that cannot be written that are listed.
 const MAX_PROBLEMS: usize = 20;
 
+/// What such a cell is told.
+const UNPRINTABLE: &str = "contains a control character, which no CSV allows";
+
 fn written(
     row: &Row,
     are_words: &[bool],
@@ -178,11 +190,9 @@ fn written(
         let is_word = are_words.get(index).copied().unwrap_or(false);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
-            Cell::Text(text) if text.chars().any(is_unprintable) => refused(
-                *column,
-                "contains a control character, which no CSV allows".to_owned(),
-                "type the cell again",
-            ),
+            Cell::Text(text) if text.chars().any(is_unprintable) => {
+                refused(*column, UNPRINTABLE.to_owned(), "type the cell again")
+            }
             // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");

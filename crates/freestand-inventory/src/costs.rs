@@ -232,6 +232,26 @@ fn amount(text: &str, unit: CostUnit) -> Option<f64> {
     })
 }
 
+/// An amount of money with its currency as people write it: `15 000 NZD`, `$5000 NZD`, `€20.000`. `None`: it is not
+/// one, or it states no currency.
+pub fn money(text: &str) -> Option<(f64, String)> {
+    let text = plain(text).to_uppercase();
+    let (bare, currencies) = without_currency(&text);
+    let currency = match currencies {
+        [Some(sign), Some(own)] => Some(own).filter(|own| is_of(sign, own))?,
+        [before, after] => before.or(after)?,
+    };
+    let decimals = bare
+        .rsplit_once(['.', ','])
+        .map_or("", |(_, decimals)| decimals);
+    let is_cut = !bare.starts_with(|first: char| first.is_ascii_digit());
+    if is_cut || decimals.bytes().take_while(u8::is_ascii_digit).count() > 3 {
+        return None;
+    }
+    let number = amount(bare, CostUnit::Money("")).or_else(|| bare.parse().ok())?;
+    Some((number, currency.to_owned())).filter(|(number, _)| number.is_finite())
+}
+
 /// An amount without its currency, and the currencies before and after it.
 fn without_currency(text: &str) -> (&str, [Option<&str>; 2]) {
     let is_part = |c: char| c.is_alphabetic() || matches!(c, '$' | '€' | '£' | '¥');

@@ -72,7 +72,7 @@ pub use columns_read::{ColumnRead, HeadingReport};
 pub use convert::{Converted, Target, convert_bytes, convert_inventory};
 pub use cost_columns::{Amounts, Cost, code as currency_code, cost_name};
 pub use costs::CellsRequest;
-pub use costs::{costs_of_list, is_list};
+pub use costs::{costs_of_list, is_list, money};
 pub use edit::Edit;
 pub use floors::Floors;
 pub use given::Value;

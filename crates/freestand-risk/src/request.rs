@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
-use freestand_inventory::CellsRequest;
+use freestand_inventory::{CellsRequest, money};
 
 use crate::fragility::{At, FragilityRequest, HazardSource, number_and_unit};
 
@@ -36,40 +36,19 @@ pub fn coordinates(text: &str) -> Result<(f64, f64), Problem> {
         })
 }
 
-/// An amount of money with its currency, `20000 AUD`.
+/// An amount of money with its currency, `20000 AUD`, `€15 000`.
 ///
 /// # Errors
 /// No number of 0 or more, or no currency.
 pub fn amount(text: &str) -> Result<(f64, String), Problem> {
-    let plain = without_groups(text);
-    let parsed = number_and_unit(&plain).and_then(|(number, currency)| {
-        let is_currency =
-            currency.starts_with(|c: char| !c.is_ascii_digit() && !"+-.,".contains(c));
-        Some((number, currency.to_owned())).filter(|(number, _)| *number >= 0.0 && is_currency)
-    });
-    parsed.ok_or_else(|| {
+    let found = money(text).filter(|(number, _)| *number >= 0.0);
+    found.ok_or_else(|| {
         let message = format!("\"{}\" is not an amount of money", shorten(text));
         Problem::value(
             message,
             "write a number and a currency, such as \"20000 AUD\"",
         )
     })
-}
-
-/// Without the commas between groups of three digits: `15,000`.
-fn without_groups(text: &str) -> String {
-    let is_group = |rest: &str| {
-        let digits = rest.bytes().take_while(u8::is_ascii_digit).count();
-        digits == 3
-    };
-    let starts_with_digit = text.trim().starts_with(|c: char| c.is_ascii_digit());
-    let groups: Vec<&str> = text.split(',').collect();
-    match groups.get(1..) {
-        Some(rest) if starts_with_digit && rest.iter().all(|rest| is_group(rest)) => {
-            groups.concat()
-        }
-        _ => text.to_owned(),
-    }
 }
 
 /// A number of years, `40 yr` or `40`.

@@ -12,19 +12,34 @@ fn a_space_before_the_unit_is_not_needed() {
     assert_eq!(aud("0 AUD"), Ok((0.0, "AUD".to_owned())));
     // Three digits after each comma: thousands, since no amount has three decimals.
     assert_eq!(aud("1,020,000 AUD"), Ok((1_020_000.0, "AUD".to_owned())));
+    // As registers have them: an amount of money never has three decimals.
+    for fifteen_thousand in [
+        "15 000 AUD",
+        "15.000 AUD",
+        "AUD 15000",
+        "$15,000.00 AUD",
+        "15000 aud",
+    ] {
+        assert_eq!(
+            aud(fifteen_thousand),
+            Ok((15e3, "AUD".to_owned())),
+            "{fifteen_thousand}"
+        );
+    }
+    assert_eq!(aud("€20.000"), Ok((20e3, "€".to_owned())));
     for wrong in [
         "3000",
         "-1 AUD",
         "AUD",
-        "1,5 AUD",
-        "10,00 AUD",
         "1,0000 AUD",
         "1,000,00 AUD",
         ",000 AUD",
         "",
-        "1 000 AUD",
         "inf AUD",
         "é AUD",
+        "15k AUD",
+        "20 credits",
+        "€5 NZD",
     ] {
         assert!(amount(wrong).is_err(), "{wrong}");
     }

@@ -137,11 +137,11 @@ pub(crate) fn sites(request: &Assess, path: &Path, files: &Files) -> Result<Site
         problem.path = problem.path.or_else(|| Some(path.to_owned()));
         problem
     };
-    let currency = request
-        .budget
-        .as_ref()
-        .and_then(|text| amount(&text.text()).ok());
-    let currency = currency.map(|(_, currency)| currency);
+    let budget = request.budget.as_ref().map(|text| amount(&text.text()));
+    let budget = budget
+        .transpose()
+        .map_err(|problem| problem.of(&["budget"]))?;
+    let currency = budget.map(|(_, currency)| currency);
     let insured = match document
         .get("policy")
         .map(|item| policy(item, currency.as_deref()))

@@ -272,6 +272,7 @@ fn written(
         report: true,
         pages: settings.pages,
         plan: plan.as_ref(),
+        lacks_plan: plan.is_none() && matches!(beside.spending, Some(Spending::Planned(_))),
         since: since.as_ref(),
         signing: job.signing,
     };
@@ -293,11 +294,8 @@ fn written(
     if portfolio.interrupted {
         portfolio.keep_in(&folder)?;
     }
-    let mut report = report(&portfolio, study, inventory, head, target);
+    let mut report = report(&portfolio, study, inventory, head, target).planned(plan);
     report.first = first;
-    report.plan = plan.as_ref().map(|plan| plan.planned().cloned().collect());
-    report.plan_alternatives = plan.as_ref().map(|plan| plan.rows.clone());
-    report.budget = plan;
     report.since = since;
     report.files = folder.names()?;
     report.files.push(MANIFEST.to_owned());

@@ -8,7 +8,7 @@ use freestand::fragility::{kaneko_hayashi_velocity_m_s, lognormal_probability};
 
 use crate::restraint::components::Component;
 use crate::restraint::{HeldObject, RestraintQuestion, restraint_forces};
-use crate::result::{Axis, Comparison, FloorFacts, RestraintForce};
+use crate::result::{Axis, Comparison, FloorFacts, RestraintForce, reported_force};
 use freestand_inventory::{Item, Rating};
 use freestand_study::study::Study;
 
@@ -81,6 +81,14 @@ impl Context<'_> {
         let floor_g = quantile(pfa, 1.0 - member.accepted_ratio);
         restraint_of(self.study, member.item, &trial.subject, Some(floor_g))
     }
+}
+
+/// The force of the study's own code for the restraint of an object that need not be restrained, whose assessment
+/// has none. `None`: the study has no code, or the mass is not given.
+pub fn code_force(study: &Study, item: &Item) -> Option<RestraintForce> {
+    let subject = Subject::new(item, &study.assessment).ok()?;
+    let forces = restraint_of(study, item, &subject, None);
+    reported_force(&forces).cloned()
 }
 
 /// The forces for the restraint of an object of a list; none where its mass is not given.

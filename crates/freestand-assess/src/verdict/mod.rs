@@ -52,7 +52,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 use trial::Trial;
 
 pub(crate) use comparisons::restraint_of;
-pub use comparisons::{P58_BETA, P58_SHARE};
+pub use comparisons::{P58_BETA, P58_SHARE, code_force};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};
 pub use held::{Effect, Grip, GripAt, Measure, NotCalculated, Restrained, Wanted, restrained};

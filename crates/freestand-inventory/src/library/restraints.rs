@@ -143,10 +143,10 @@ pub struct RestraintEntry {
     pub price: (f64, f64),
     /// The currency of its prices.
     pub currency: String,
-    /// Work for one object \[min\].
-    pub fitter_minutes: f64,
-    /// What an hour of work costs.
-    pub fitter_hour: f64,
+    /// Work for one object; `None`: not known \[min\].
+    pub fitter_minutes: Option<f64>,
+    /// What an hour of work costs; `None`: not known.
+    pub fitter_hour: Option<f64>,
     /// Where the prices come from.
     pub price_source: String,
     /// Their year.
@@ -235,12 +235,8 @@ impl RestraintEntry {
             capacity_confidence,
             price: (low, high),
             currency: crate::cost_columns::code(&currency).to_owned(),
-            fitter_minutes: reader
-                .positive("fitter_minutes", Dimension::Ratio)
-                .unwrap_or(0.0),
-            fitter_hour: reader
-                .positive("fitter_hour", Dimension::Ratio)
-                .unwrap_or(0.0),
+            fitter_minutes: reader.positive("fitter_minutes", Dimension::Ratio),
+            fitter_hour: reader.positive("fitter_hour", Dimension::Ratio),
             price_source: reader.needed("price_source"),
             price_year: reader.text("price_year"),
             price_confidence: reader
@@ -252,16 +248,17 @@ impl RestraintEntry {
         reader.problems.finish(Some(entry))
     }
 
-    /// What it costs for one object, with the work: the low end, the middle, and the high end, in its currency.
+    /// What it costs for one object, with the work where this is known: the low end, the middle, and the high end,
+    /// in its currency.
     pub fn cost(&self) -> [f64; 3] {
-        let work = self.work();
+        let work = self.work().unwrap_or(0.0);
         let (low, high) = self.price;
         [low, 0.5 * (low + high), high].map(|price| price + work)
     }
 
-    /// What the work for one object costs, in its currency.
-    pub fn work(&self) -> f64 {
-        self.fitter_minutes / 60.0 * self.fitter_hour
+    /// What the work for one object costs, in its currency; `None`: not known.
+    pub fn work(&self) -> Option<f64> {
+        Some(self.fitter_minutes? / 60.0 * self.fitter_hour?)
     }
 
     /// Whether it is a built-in one, whose prices are rough.

@@ -16,6 +16,28 @@ fn with_height(height: &str) -> Vec<u8> {
     )
 }
 
+/// A CSV with one could not be read again.
+#[test]
+fn a_control_character_is_not_converted() {
+    let mut headings = HEADINGS;
+    headings[5] = "ma\u{1}ker";
+    let book = workbook(
+        &(row(1, &headings) + &row(2, &["a", "x", "0.5", "1800", "600", "y\u{2}"])),
+        "",
+    );
+    let error = convert_bytes(book, Path::new("objects"), None, Target::Csv).unwrap_err();
+    let said = "contains a control character, which no CSV allows";
+    let messages: Vec<&str> = error
+        .problems
+        .iter()
+        .map(|problem| problem.message.as_str())
+        .collect();
+    assert!(
+        messages.len() == 2 && messages.iter().all(|one| one.ends_with(said)),
+        "{messages:?}"
+    );
+}
+
 #[test]
 fn cells_that_are_not_numbers() {
     for (cell, kind, said) in [

@@ -25,6 +25,21 @@ use freestand_study::cushion::EdgeCushion;
 use freestand_study::result::Ranked;
 
 use super::{Head, Row, Wanted, write_all};
+use crate::signature::Signing;
+
+/// The outputs that are always written, and no others.
+pub(super) const TABLES: Wanted = Wanted {
+    parquet: false,
+    workbook: false,
+    report: false,
+    pages: 0,
+    plan: None,
+    lacks_plan: false,
+    since: None,
+    signing: Signing {
+        allows_recalled: false,
+    },
+};
 
 pub(super) const HOSTILE: [&str; 6] = [
     "<script>alert('x')</script>",

@@ -75,6 +75,8 @@ pub struct Wanted<'p> {
     pub pages: usize,
     /// The plan within a budget, if one was asked for.
     pub plan: Option<&'p BudgetPlan>,
+    /// Whether a plan was asked for, and the run was stopped before it was made.
+    pub lacks_plan: bool,
     /// What has changed since an earlier assessment, if that was asked for.
     pub since: Option<&'p Since>,
     /// How the report and the orders are signed.

@@ -8,7 +8,9 @@ use freestand_inventory::library::{ASSUMED_BETA, Confidence};
 use freestand_output::answer::table_of;
 use freestand_output::folder::OutputFolder;
 use freestand_output::html::{Cell, figure, heading, list, paragraph, table, words};
-use freestand_risk::budget::{BudgetPlan, NotPlanned, PlanRow, Planned, Standing};
+use freestand_risk::budget::{
+    BudgetPlan, LifeSafety, NotPlanned, PlanRow, Planned, Standing, Unfunded,
+};
 
 use super::sheet_cell::SheetCell;
 use super::words::{amount, long, probability};
@@ -61,7 +63,7 @@ pub(super) fn standing_words(standing: Standing) -> &'static str {
 
 /// Objects whose fall may hurt somebody and which the budget does not reach; `None`: it reaches all of them.
 pub(super) fn unfunded(plan: &BudgetPlan) -> Option<String> {
-    let (objects, cost) = plan.unfunded;
+    let Unfunded { objects, cost } = plan.unfunded;
     (objects > 0).then(|| {
         format!(
             "Unfunded life safety: {}, {} {}.",
@@ -159,12 +161,16 @@ pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
         }
     };
     names(
-        &|row| row.confidence.0.is_some_and(unsure),
+        &|row| row.capacity_confidence.is_some_and(unsure),
         "Capacities that are recalled or assumed, to be confirmed by whoever fixes them",
     );
     names(
-        &|row| unsure(row.confidence.1),
+        &|row| unsure(row.price_confidence),
         "Prices that are assumed or from a secondary source, to be replaced by offers",
+    );
+    names(
+        &|row| row.fitting.work.is_none(),
+        "Restraints whose cost leaves out the work, because their file does not say what it takes",
     );
     if let Some(rate) = plan.converted {
         said.push(format!(
@@ -176,7 +182,7 @@ pub(super) fn assumptions(plan: &BudgetPlan) -> Vec<String> {
     let mut assumed: Vec<&str> = plan
         .rows
         .iter()
-        .filter(|row| row.life_safety.1)
+        .filter(|row| row.life_safety.is_assumed)
         .map(|row| row.id.as_str())
         .collect();
     assumed.dedup();
@@ -237,9 +243,15 @@ fn cells(row: &PlanRow) -> [String; 9] {
         many => format!(" × {many}"),
     };
     let rating = match row.life_safety {
-        (None, _) => "–".to_owned(),
-        (Some(rating), false) => rating.name().to_owned(),
-        (Some(rating), true) => format!("{} (assumed)", rating.name()),
+        LifeSafety { rating: None, .. } => "–".to_owned(),
+        LifeSafety {
+            rating: Some(rating),
+            is_assumed: false,
+        } => rating.name().to_owned(),
+        LifeSafety {
+            rating: Some(rating),
+            is_assumed: true,
+        } => format!("{} (assumed)", rating.name()),
     };
     [
         shorten(&row.id),
@@ -406,7 +418,7 @@ pub(super) fn sheet_rows(plan: &BudgetPlan) -> impl Iterator<Item = Vec<SheetCel
             text(&row.item),
             text(&row.place),
             number(Some(f64::from(row.quantity))),
-            text(row.life_safety.0.map_or("", Rating::name)),
+            text(row.life_safety.rating.map_or("", Rating::name)),
             text(&row.measure),
             text(&row.measure_item),
             text(standing_words(row.standing)),

@@ -149,23 +149,12 @@ fn value(kind: Kind, field: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assessment::Wanted;
-    use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
-
-    const CSV_ALONE: Wanted = Wanted {
-        parquet: false,
-        workbook: false,
-        report: false,
-        pages: 0,
-        plan: None,
-        since: None,
-        signing: crate::signature::Signing {
-            allows_recalled: false,
-        },
+    use crate::assessment::fixture::{
+        HOSTILE, TABLES, hostile_items, inventory, item, read, written,
     };
 
     fn rows(inventory: &Inventory) -> Vec<Map<String, Value>> {
-        let (folder, _) = written(inventory, inventory.items.len(), CSV_ALONE);
+        let (folder, _) = written(inventory, inventory.items.len(), TABLES);
         let mut rows = Vec::new();
         object_rows(&folder.path().join("out"), inventory, |row| {
             rows.push(row.clone());
@@ -251,7 +240,7 @@ mod tests {
 
     #[test]
     fn another_table_is_refused() {
-        let (folder, _) = written(&inventory((0..3).map(item).collect()), 3, CSV_ALONE);
+        let (folder, _) = written(&inventory((0..3).map(item).collect()), 3, TABLES);
         let more = inventory((0..4).map(item).collect());
         let problem =
             object_rows(&folder.path().join("out"), &more, |_| Ok::<(), Problem>(())).unwrap_err();

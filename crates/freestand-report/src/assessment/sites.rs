@@ -15,7 +15,7 @@ use freestand_study::study::TitleBlock;
 use super::csv::CSV_NAME;
 use super::losses::{losses_text, why_unknown};
 use super::orders::{PARTS_NAME, PARTS_PAGE, write_orders};
-use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text_of_sites};
+use super::plan::{ALTERNATIVES_NAME, PLAN_NAME, assumptions, plan_text_of_sites, sentences};
 use super::told::JobReport;
 use crate::figures::losses_figure;
 use crate::signature::Signing;
@@ -70,6 +70,10 @@ answer! {
         plan: Option<Vec<SitePlanRow>>,
         /// Every measure for every object of all sites.
         plan_alternatives: Option<Vec<SitePlanRow>>,
+        /// What the plan does, one sentence each; empty: no budget was given.
+        plan_sentences: Vec<String>,
+        /// What it assumes, one sentence each.
+        plan_assumptions: Vec<String>,
         /// What all sites lose together; `null`: no budget was given, or it is not known.
         losses: Option<SitesLosses>,
         /// Why it is not known.
@@ -100,6 +104,8 @@ impl SitesReport {
             budget: None,
             plan: None,
             plan_alternatives: None,
+            plan_sentences: Vec::new(),
+            plan_assumptions: Vec::new(),
             losses: None,
             losses_unknown: None,
             out: out.display().to_string(),
@@ -116,6 +122,8 @@ impl SitesReport {
         let planned = rows.iter().filter(|one| one.row.is_planned()).cloned();
         self.plan = Some(planned.collect());
         self.plan_alternatives = Some(rows);
+        self.plan_sentences = sentences(&plan);
+        self.plan_assumptions = assumptions(&plan);
         self.budget = Some(plan);
         self
     }

@@ -8,6 +8,7 @@ use freestand_study::target::Target;
 
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 
+use super::plan::{assumptions, sentences};
 use super::{First, Head, Since};
 
 answer! {
@@ -64,6 +65,10 @@ answer! {
         plan: Option<Vec<PlanRow>>,
         /// Every option for every object, those of the plan first.
         plan_alternatives: Option<Vec<PlanRow>>,
+        /// What the plan does, one sentence each; empty: no budget was given.
+        plan_sentences: Vec<String>,
+        /// What it assumes, one sentence each.
+        plan_assumptions: Vec<String>,
         /// What has changed since an earlier assessment; `null`: none was named.
         since: Option<Since>,
         /// The most urgent objects.
@@ -76,6 +81,18 @@ answer! {
 }
 
 impl JobReport {
+    /// With the plan within a budget, if one was asked for.
+    #[must_use]
+    pub fn planned(mut self, plan: Option<BudgetPlan>) -> Self {
+        let Some(plan) = plan else { return self };
+        self.plan_sentences = sentences(&plan);
+        self.plan_assumptions = assumptions(&plan);
+        self.plan = Some(plan.planned().cloned().collect());
+        self.plan_alternatives = Some(plan.rows.clone());
+        self.budget = Some(plan);
+        self
+    }
+
     /// Objects with this decision.
     pub fn count(&self, decision: Decision) -> u64 {
         let mut all = self.decisions.0.iter();

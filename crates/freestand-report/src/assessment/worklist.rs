@@ -352,19 +352,8 @@ fn unwritten(error: &std::io::Error) -> Problem {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assessment::Wanted;
-    use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
-
-    const TABLES: Wanted = Wanted {
-        parquet: false,
-        workbook: false,
-        report: false,
-        pages: 0,
-        plan: None,
-        since: None,
-        signing: crate::signature::Signing {
-            allows_recalled: false,
-        },
+    use crate::assessment::fixture::{
+        HOSTILE, TABLES, hostile_items, inventory, item, read, written,
     };
 
     fn worklist(items: Vec<Item>) -> Vec<Vec<String>> {

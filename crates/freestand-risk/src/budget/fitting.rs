@@ -2,6 +2,7 @@
 
 use freestand_assess::portfolio::Row;
 use freestand_assess::result::RestraintForce;
+use freestand_assess::verdict::code_force;
 use freestand_input::quantity::UnitSystem;
 use freestand_inventory::library::RestraintEntry;
 use freestand_study::study::Study;
@@ -48,10 +49,10 @@ pub struct Fitting {
     pub anchors: Option<u16>,
     /// Its price without work, low and high, in the currency of the plan.
     pub price: [f64; 2],
-    /// Work \[min\].
-    pub minutes: f64,
-    /// What this work costs, in the currency of the plan.
-    pub work: f64,
+    /// Work; `None`: not known \[min\].
+    pub minutes: Option<f64>,
+    /// What this work costs, in the currency of the plan; `None`: not known, and not in the cost.
+    pub work: Option<f64>,
     /// Where the capacity comes from; may be empty.
     pub capacity_source: String,
     /// Where the prices come from, with their year.
@@ -76,7 +77,11 @@ pub(super) fn to_fit(row: &Row, study: &Study, units: UnitSystem) -> ToFit {
         mass_kg: item.mass_kg,
         wall_gap_m: item.surroundings.wall_gap_m,
         anchor_inset_m: study.assessment.restraint.anchor_inset_m,
-        force: row.found.design_force().cloned(),
+        force: row
+            .found
+            .design_force()
+            .cloned()
+            .or_else(|| code_force(study, item)),
         approximate_place: approximate.map(|place| place.name.to_string()),
         units,
     }
@@ -89,7 +94,7 @@ pub(super) fn fitting(entry: &RestraintEntry, converted: f64) -> Fitting {
         anchors: entry.anchors,
         price: [entry.price.0, entry.price.1].map(|price| converted * price),
         minutes: entry.fitter_minutes,
-        work: converted * entry.work(),
+        work: entry.work().map(|work| converted * work),
         capacity_source: entry.capacity_source.clone(),
         price_source: match entry.price_year.as_str() {
             "" => entry.price_source.clone(),

@@ -11,6 +11,7 @@ pub use losses::{
 };
 
 pub use fitting::{Fitting, ToFit};
+pub use uses::LifeSafety;
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -118,10 +119,13 @@ impl Budget {
             .all(|entry| per_unit(entry, &currency).is_none())
         {
             let known: Vec<&str> = PER_DOLLAR.iter().map(|(code, _)| *code).collect();
-            let message = format!(
-                "the prices of the built-in restraints are not known in {}",
-                shorten(&currency)
-            );
+            let message = match currency.as_str() {
+                "$" => "the budget does not say whose dollars it is in".to_owned(),
+                _ => format!(
+                    "the prices of the built-in restraints are not known in {}",
+                    shorten(&currency)
+                ),
+            };
             let hint = format!(
                 "give a file of restraints with prices in {}: `restraints = \"mine.csv\"`; or a budget in one of {}",
                 shorten(&currency),
@@ -284,8 +288,10 @@ pub struct PlanRow {
     pub beta: f64,
     /// Whether nobody states it.
     pub beta_is_assumed: bool,
-    /// How far the capacity and the price can be trusted.
-    pub confidence: (Option<Confidence>, Confidence),
+    /// How far the capacity can be trusted; `None`: there is none.
+    pub capacity_confidence: Option<Confidence>,
+    /// How far the price can be trusted.
+    pub price_confidence: Confidence,
     /// The verdict of the assessment.
     pub decision: Decision,
     /// The probability that it falls as it stands.
@@ -300,8 +306,8 @@ pub struct PlanRow {
     pub losses: Option<[f64; 2]>,
     /// Present value of what it saves.
     pub benefit: Option<f64>,
-    /// What its fall means for people, and whether that is assumed.
-    pub life_safety: (Option<Rating>, bool),
+    /// What its fall means for people.
+    pub life_safety: LifeSafety,
     /// The object, shared by all its measures.
     pub object: Arc<ToFit>,
     /// What fitting the restraint takes, for one of them.
@@ -355,8 +361,8 @@ answer_of!(PlanRow as row {
     capacity_n: Option<f64> = row.capacity_n;
     /// Standard deviation of its logarithm.
     capacity_beta: Option<f64> = row.capacity_n.map(|_| row.beta);
-    capacity_confidence: Option<&'static str> = row.confidence.0.map(Confidence::name);
-    price_confidence: &'static str = row.confidence.1.name();
+    capacity_confidence: Option<&'static str> = row.capacity_confidence.map(Confidence::name);
+    price_confidence: &'static str = row.price_confidence.name();
     p_overturn: f64 = row.before.value;
     p_overturn_low: f64 = row.before.low;
     p_overturn_high: f64 = row.before.high;
@@ -374,9 +380,18 @@ answer_of!(PlanRow as row {
     benefit_present_value: Option<f64> = row.benefit;
     /// A year, or in the earthquake of the study where no yearly rate is known.
     falls_avoided: Option<f64> = row.falls_avoided();
-    life_safety: Option<&'static str> = row.life_safety.0.map(Rating::name);
-    life_safety_is_assumed: bool = row.life_safety.1;
+    life_safety: Option<&'static str> = row.life_safety.rating.map(Rating::name);
+    life_safety_is_assumed: bool = row.life_safety.is_assumed;
 });
+
+/// Objects whose fall may hurt somebody and which a budget does not reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unfunded {
+    /// How many.
+    pub objects: u32,
+    /// What restraining them costs.
+    pub cost: f64,
+}
 
 /// The plan, and everything that it was chosen from.
 #[derive(Debug, Clone, PartialEq)]
@@ -401,8 +416,8 @@ pub struct BudgetPlan {
     pub has_costs: bool,
     /// What the prices of built-in restraints were multiplied by; `None`: they are in the currency of the budget.
     pub converted: Option<f64>,
-    /// Objects whose fall may hurt somebody and which the budget does not reach, and what restraining them costs.
-    pub unfunded: (u32, f64),
+    /// Life safety that the budget does not reach.
+    pub unfunded: Unfunded,
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect.
     pub without_measure: u32,
     /// Whether no plan is better.
@@ -428,8 +443,8 @@ answer_of!(BudgetPlan as plan {
     horizon_is_assumed: bool = plan.is_horizon_assumed;
     /// Whether yearly rates are known; else falls in the earthquake of the study count.
     has_annual_rates: bool = plan.has_rates;
-    unfunded_life_safety_objects: usize = plan.unfunded.0 as usize;
-    unfunded_life_safety_cost: f64 = plan.unfunded.1;
+    unfunded_life_safety_objects: usize = plan.unfunded.objects as usize;
+    unfunded_life_safety_cost: f64 = plan.unfunded.cost;
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect.
     life_safety_without_measure: usize = plan.without_measure as usize;
     is_optimal: bool = plan.is_optimal;
@@ -609,7 +624,8 @@ impl Budget {
             capacity_n: entry.capacity_n,
             beta: entry.beta,
             beta_is_assumed: entry.beta_is_assumed,
-            confidence: (entry.capacity_confidence, entry.price_confidence),
+            capacity_confidence: entry.capacity_confidence,
+            price_confidence: entry.price_confidence,
             decision: candidate.decision,
             before: candidate.before,
             effect,
@@ -617,7 +633,7 @@ impl Budget {
             is_at_least: rated.is_some_and(|(_, is_at_least)| is_at_least),
             losses,
             benefit: losses.map(|[before, after]| years * (before - after)),
-            life_safety: uses::life_safety(item),
+            life_safety: LifeSafety::of(item),
             object: Arc::clone(&candidate.object),
             fitting: fitting::fitting(entry, converted),
         }
@@ -652,7 +668,7 @@ impl Budget {
                         best: losses,
                         most: Some(losses),
                     },
-                    life_safety: row.life_safety.0,
+                    life_safety: row.life_safety.rating,
                     falls: row.falls_avoided(),
                     counts_falls: !has_rates,
                 }
@@ -668,7 +684,7 @@ impl Budget {
         let unfunded: Vec<usize> = spent.unfunded.iter().map(|worth| worth.object).collect();
         for (object, row) in &mut rows {
             let avoids = row.effect.is_some() && row.falls_avoided() > Some(0.0);
-            let for_people = is_for_people(row.life_safety.0, row.falls_avoided());
+            let for_people = is_for_people(row.life_safety.rating, row.falls_avoided());
             row.standing = match (chosen.get(object), row.standing) {
                 (Some(measure), _) if *measure == row.measure => {
                     Standing::In(match (for_people, row.benefit) {
@@ -692,17 +708,19 @@ impl Budget {
             let of = rows.iter().find(|(place, _)| *place == object);
             of.map_or(0, |(_, row)| row.quantity)
         };
-        // An empty sum is −0.
-        let unfunded_cost: f64 = spent
-            .unfunded
-            .iter()
-            .fold(0.0, |sum, worth| sum + worth.cost);
-        let unfunded_objects = unfunded.iter().map(|object| quantity(*object)).sum();
+        let unfunded = Unfunded {
+            objects: unfunded.iter().map(|object| quantity(*object)).sum(),
+            // An empty sum is −0.
+            cost: spent
+                .unfunded
+                .iter()
+                .fold(0.0, |sum, worth| sum + worth.cost),
+        };
         let mut without_measure = 0;
         for object in 0..objects {
             let mut own = rows.iter().filter(|(place, _)| *place == object);
             let is_rated = own.clone().any(|(_, row)| {
-                row.life_safety.0 > Some(Rating::Low) && row.decision != Decision::Leave
+                row.life_safety.rating > Some(Rating::Low) && row.decision != Decision::Leave
             });
             if is_rated && own.all(|(_, row)| row.effect.is_none()) {
                 without_measure += quantity(object);
@@ -724,8 +742,8 @@ impl Budget {
                 .then(match a.is_planned() {
                     true => b
                         .life_safety
-                        .0
-                        .cmp(&a.life_safety.0)
+                        .rating
+                        .cmp(&a.life_safety.rating)
                         .then(ratio(b).total_cmp(&ratio(a))),
                     false => std::cmp::Ordering::Equal,
                 })
@@ -748,7 +766,7 @@ impl Budget {
             extends,
             has_costs,
             converted,
-            unfunded: (unfunded_objects, unfunded_cost),
+            unfunded,
             without_measure,
             is_optimal: spent.is_optimal(),
             rows,

@@ -20,12 +20,24 @@ pub(super) fn uses(item: &Item) -> Vec<HoldsWhat> {
     [HoldsWhat::OnFloor].into_iter().chain(at_wall).collect()
 }
 
-/// What the fall of an object means for people, and whether that is assumed: where a list does not rate it, a gas
-/// cylinder, whose valve may break, and what somebody lies in count as high.
-pub(super) fn life_safety(item: &Item) -> (Option<Rating>, bool) {
-    match item.consequences.life_safety {
-        Some(rating) => (Some(rating), false),
-        None if is_gas_cylinder(&item.item) || is_lain_in(&item.item) => (Some(Rating::High), true),
-        None => (None, false),
+/// What the fall of an object means for people.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LifeSafety {
+    /// `None`: nobody rates it.
+    pub rating: Option<Rating>,
+    /// Whether the list does not rate it.
+    pub is_assumed: bool,
+}
+
+impl LifeSafety {
+    /// Where a list does not rate it, a gas cylinder, whose valve may break, and what somebody lies in count as high.
+    pub(super) fn of(item: &Item) -> Self {
+        let stated = item.consequences.life_safety;
+        let is_assumed =
+            stated.is_none() && (is_gas_cylinder(&item.item) || is_lain_in(&item.item));
+        Self {
+            rating: stated.or(is_assumed.then_some(Rating::High)),
+            is_assumed,
+        }
     }
 }

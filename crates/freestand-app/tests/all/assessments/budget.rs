@@ -98,7 +98,7 @@ fn a_plan_is_in_every_output() {
     let first = html.find("Unfunded life safety").unwrap();
     assert!(first < html.find("The first ten").unwrap());
     assert!(report.plan.as_ref().unwrap().is_empty());
-    assert_eq!(report.budget.as_ref().unwrap().unfunded.0, 2);
+    assert_eq!(report.budget.as_ref().unwrap().unfunded.objects, 2);
     let text = freestand_report::assessment::assessment_text(&report);
     assert!(text.contains("Unfunded life safety: 2 objects"), "{text}");
 }

@@ -24,10 +24,7 @@ export interface Row {
 }
 
 /** The plan within a budget, and one of its measures. */
-export interface Plan {
-  budget: number; currency: string; cost: number; unfunded_life_safety_objects: number; unfunded_life_safety_cost: number;
-  life_safety_without_measure: number;
-}
+export interface Plan { currency: string }
 export interface PlanRow {
   id: string; measure: string; quantity: number; cost: number; p_overturn: number;
   p_overturn_after: number | null; p_overturn_after_low: number | null; p_overturn_after_high: number | null;

@@ -119,9 +119,9 @@ pub(super) fn drawing(row: &PlanRow) -> Option<String> {
         RestraintKind::Strap
         | RestraintKind::Bracket
         | RestraintKind::Chain
-        | RestraintKind::Tether
-        | RestraintKind::Pad
-        | RestraintKind::ShelfLip => at_wall(&mut svg, row, [left, top, scale], height_m),
+        | RestraintKind::Tether => at_wall(&mut svg, row, [left, top, scale], height_m),
+        // No plan has them: their effect is not calculated.
+        RestraintKind::Pad | RestraintKind::ShelfLip => {}
     }
     Some(svg.0 + "</svg>\n")
 }

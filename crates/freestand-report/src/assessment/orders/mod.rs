@@ -169,10 +169,11 @@ fn pieces(rows: &[&PlanRow]) -> u32 {
         .fold(0, |sum, row| sum.saturating_add(row.quantity))
 }
 
-fn minutes(rows: &[&PlanRow]) -> f64 {
-    rows.iter()
-        .map(|row| f64::from(row.quantity) * row.fitting.minutes)
-        .fold(0.0, |sum, one| sum + one)
+/// Work; `None`: that of some row is not known \[min\].
+fn minutes(rows: &[&PlanRow]) -> Option<f64> {
+    rows.iter().try_fold(0.0, |sum, row| {
+        Some(sum + f64::from(row.quantity) * row.fitting.minutes?)
+    })
 }
 
 /// The low and the high end of what the work of these rows costs, with its parts.
@@ -191,11 +192,11 @@ fn range([low, high]: [f64; 2]) -> String {
 }
 
 /// `45 min`, `2.5 h`.
-fn hours(minutes: f64) -> String {
-    if minutes < 120.0 {
-        format!("{} min", number(minutes, 3))
-    } else {
-        format!("{} h", number(minutes / 60.0, 3))
+fn hours(minutes: Option<f64>) -> String {
+    match minutes {
+        None => "unknown".to_owned(),
+        Some(minutes) if minutes < 120.0 => format!("{} min", number(minutes, 3)),
+        Some(minutes) => format!("{} h", number(minutes / 60.0, 3)),
     }
 }
 
@@ -208,10 +209,10 @@ fn confidence(word: Confidence) -> String {
 pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<String> {
     let mut found = BTreeSet::new();
     for row in rows {
-        if row.confidence.0 == Some(Confidence::Recalled) {
+        if row.capacity_confidence == Some(Confidence::Recalled) {
             found.insert(format!("capacity of {}", row.measure));
         }
-        if row.confidence.1 == Confidence::Recalled {
+        if row.price_confidence == Confidence::Recalled {
             found.insert(format!("price of {}", row.measure));
         }
         if let Some(force) = &row.object.force {
@@ -284,12 +285,11 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
     let (fitting, units) = (&row.fitting, row.object.units);
     let currency = &plan.currency;
     let [low, high] = fitting.price;
-    let many = f64::from(row.quantity);
     let force = match &row.object.force {
         Some(force) => {
-            let recalled = match force.recalled.is_empty() {
-                true => String::new(),
-                false => format!(" ({})", confidence(Confidence::Recalled)),
+            let recalled = match force.recalled.as_slice() {
+                [] => String::new(),
+                recalled => format!("; an engineer must confirm {}", recalled.join(", ")),
             };
             format!(
                 "{} at its centre of gravity, by {}{recalled}",
@@ -300,9 +300,9 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
         None => UNKNOWN_FORCE.to_owned(),
     };
     let work = match fitting.minutes {
-        0.0 => "unknown: the list of restraints does not say how long it takes".to_owned(),
+        None => "unknown: the list of restraints does not say how long it takes".to_owned(),
         each if row.quantity == 1 => hours(each),
-        each => format!("{} each, {} in all", hours(each), hours(many * each)),
+        each => format!("{} each, {} in all", hours(each), hours(minutes(&[row]))),
     };
     vec![
         (
@@ -326,11 +326,14 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
                 "{} {currency} each: {} ({})",
                 range([low, high]),
                 fitting.price_source,
-                confidence(row.confidence.1)
+                confidence(row.price_confidence)
             ),
         ),
         (
-            "Parts and work, all",
+            match fitting.work {
+                Some(_) => "Parts and work, all",
+                None => "Parts without work, all",
+            },
             format!("{} {currency}", range([row.cost[0], row.cost[2]])),
         ),
         ("Note", fitting.note.clone()),
@@ -388,7 +391,7 @@ fn tension(units: UnitSystem, tension_n: f64) -> String {
 fn simulated(row: &PlanRow) -> String {
     let units = row.object.units;
     let force = row.effect.as_ref().and_then(|effect| effect.force_n);
-    let capacity = match (row.capacity_n, row.confidence.0) {
+    let capacity = match (row.capacity_n, row.capacity_confidence) {
         (Some(capacity_n), Some(word)) => format!(
             "median capacity {}: {} ({})",
             units.force(capacity_n),

@@ -27,7 +27,7 @@ struct Part<'p> {
     quantity: u32,
     anchors: Option<u64>,
     price: [f64; 2],
-    minutes: f64,
+    minutes: Option<f64>,
     cost: [f64; 2],
 }
 
@@ -69,8 +69,9 @@ answer! {
         /// Without work.
         parts_low: f64,
         parts_high: f64,
-        work_minutes: f64,
-        /// With work.
+        /// Empty: not known.
+        work_minutes: Option<f64>,
+        /// With work, as far as what it costs is known.
         cost_low: f64,
         cost_high: f64,
         currency: String,
@@ -94,7 +95,7 @@ pub(super) fn csv(plan: &BudgetPlan) -> Result<Table, Problem> {
             cost_low: part.cost[0],
             cost_high: part.cost[1],
             currency: plan.currency.clone(),
-            price_confidence: part.row.confidence.1.name(),
+            price_confidence: part.row.price_confidence.name(),
             price_source: part.row.fitting.price_source.clone(),
         })
         .collect();
@@ -134,7 +135,7 @@ pub(crate) fn part_cells(plan: &BudgetPlan) -> Vec<Vec<SheetCell>> {
             SheetCell::Number(sum.anchors.map(|count| count as f64)),
             number(sum.price[0]),
             number(sum.price[1]),
-            number(sum.minutes),
+            SheetCell::Number(sum.minutes),
             number(sum.cost[0]),
             number(sum.cost[1]),
         ]
@@ -142,7 +143,7 @@ pub(crate) fn part_cells(plan: &BudgetPlan) -> Vec<Vec<SheetCell>> {
     let row = |part: &Part| {
         let (row, one) = (&part.row, std::slice::from_ref(part));
         let mut cells = cells(&row.measure, &row.measure_item, one);
-        cells.push(text(row.confidence.1.name()));
+        cells.push(text(row.price_confidence.name()));
         cells.push(text(&row.fitting.price_source));
         cells
     };
@@ -157,7 +158,8 @@ struct Sum {
     /// `None`: the anchors of some part are not known.
     anchors: Option<u64>,
     price: [f64; 2],
-    minutes: f64,
+    /// `None`: that of some part is not known \[min\].
+    minutes: Option<f64>,
     cost: [f64; 2],
 }
 
@@ -168,14 +170,14 @@ impl Sum {
             quantity: 0,
             anchors: Some(0),
             price: [0.0; 2],
-            minutes: 0.0,
+            minutes: Some(0.0),
             cost: [0.0; 2],
         };
         parts.iter().fold(nothing, |sum, part| Self {
             quantity: sum.quantity.saturating_add(part.quantity),
             anchors: sum.anchors.zip(part.anchors).map(|(a, b)| a + b),
             price: add(sum.price, part.price),
-            minutes: sum.minutes + part.minutes,
+            minutes: sum.minutes.zip(part.minutes).map(|(a, b)| a + b),
             cost: add(sum.cost, part.cost),
         })
     }
@@ -219,7 +221,7 @@ pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
             words(&format!(
                 "{} ({})",
                 part.row.fitting.price_source,
-                confidence(part.row.confidence.1)
+                confidence(part.row.price_confidence)
             )),
         ]
     };

@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use freestand_assess::result::{Decision, Probability};
 use freestand_assess::verdict::Effect;
-use freestand_risk::budget::{Fitting, NotPlanned, Planned, Standing, ToFit};
+use freestand_risk::budget::{Fitting, LifeSafety, NotPlanned, Planned, Standing, ToFit, Unfunded};
 
 use super::*;
 use crate::assessment::fixture::forces;
@@ -37,7 +37,8 @@ fn row(id: &str, room: &str, kind: RestraintKind, change: impl FnOnce(&mut ToFit
         capacity_n: Some(4700.0),
         beta: 0.3,
         beta_is_assumed: true,
-        confidence: (Some(Confidence::Recalled), Confidence::Assumption),
+        capacity_confidence: Some(Confidence::Recalled),
+        price_confidence: Confidence::Assumption,
         decision: Decision::Restrain,
         before: chance(0.5),
         effect: Some(Effect {
@@ -50,14 +51,17 @@ fn row(id: &str, room: &str, kind: RestraintKind, change: impl FnOnce(&mut ToFit
         is_at_least: false,
         losses: None,
         benefit: None,
-        life_safety: (None, false),
+        life_safety: LifeSafety {
+            rating: None,
+            is_assumed: false,
+        },
         object: Arc::new(object),
         fitting: Fitting {
             height_ratio: 0.9,
             anchors: Some(4),
             price: [10.0, 30.0],
-            minutes: 40.0,
-            work: 40.0,
+            minutes: Some(40.0),
+            work: Some(40.0),
             capacity_source: "a handbook".to_owned(),
             price_source: "an offer, 2025".to_owned(),
             note: String::new(),
@@ -77,7 +81,10 @@ fn plan(rows: Vec<PlanRow>) -> BudgetPlan {
         extends: false,
         has_costs: false,
         converted: None,
-        unfunded: (0, 0.0),
+        unfunded: Unfunded {
+            objects: 0,
+            cost: 0.0,
+        },
         without_measure: 0,
         is_optimal: true,
         rows,

@@ -132,14 +132,15 @@ pub(super) struct Overview {
     pub tasks: BTreeMap<usize, Task>,
     /// Objects for which something has to be done.
     pub to_do: usize,
-    /// Values quoted from memory on which what has to be done rests, or which are shown; at most [`MAX_RECALLED`].
+    /// Values quoted from memory on which what has to be done rests, or which are shown; of more than [`MAX_RECALLED`],
+    /// the last says that there are others.
     pub recalled: BTreeSet<String>,
     floors: BTreeMap<FloorKey, FloorCounts>,
     others: Option<FloorCounts>,
     most_urgent: usize,
 }
 
-/// Values quoted from memory that are kept by name.
+/// Values quoted from memory that are kept by name: a list of a million objects may have as many sources of its own.
 const MAX_RECALLED: usize = 200;
 
 /// Tasks in the work list of the report; worklist.csv has all.
@@ -217,6 +218,8 @@ impl Overview {
         for one in tolerance.into_iter().chain(of_force) {
             if self.recalled.len() < MAX_RECALLED {
                 self.recalled.insert(one);
+            } else if !self.recalled.contains(&one) {
+                self.recalled.insert("~ and others".to_owned());
             }
         }
     }

@@ -2,20 +2,13 @@ use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::{Field, Row};
 
 use crate::assessment::Wanted;
-use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
+use crate::assessment::fixture::{HOSTILE, TABLES, hostile_items, inventory, item, read, written};
 
 use super::*;
 
 const ALONE: Wanted = Wanted {
     parquet: true,
-    workbook: false,
-    report: false,
-    pages: 0,
-    plan: None,
-    since: None,
-    signing: crate::signature::Signing {
-        allows_recalled: false,
-    },
+    ..TABLES
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {

@@ -35,7 +35,10 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
             paragraph(no_study)
         );
     }
-    if let Some(partial) = overview.partial() {
+    let lacks_plan = wanted.lacks_plan.then(|| {
+        "PARTIAL: the run was stopped before its plan within the budget was made. With --resume it goes on.".to_owned()
+    });
+    for partial in overview.partial().into_iter().chain(lacks_plan) {
         let _ = writeln!(
             html,
             "<div class=\"warn partial\"><h2>Partial result</h2>{}</div>",

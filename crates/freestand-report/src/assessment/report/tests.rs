@@ -1,18 +1,12 @@
 use crate::assessment::Wanted;
-use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
+use crate::assessment::fixture::{HOSTILE, TABLES, hostile_items, inventory, item, read, written};
 
 use super::*;
 
 const ALONE: Wanted = Wanted {
-    parquet: false,
-    workbook: false,
     report: true,
     pages: 200,
-    plan: None,
-    since: None,
-    signing: crate::signature::Signing {
-        allows_recalled: false,
-    },
+    ..TABLES
 };
 
 fn html(inventory: &Inventory, assessed: usize, pages: usize) -> String {

@@ -1,24 +1,13 @@
-use crate::assessment::Wanted;
 use crate::assessment::csv::CSV_NAME;
-use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, rows, written};
+use crate::assessment::fixture::{
+    HOSTILE, TABLES, hostile_items, inventory, item, read, rows, written,
+};
 use crate::assessment::worklist::WORKLIST_NAME;
 
 use super::*;
 
-const CSV_ALONE: Wanted = Wanted {
-    parquet: false,
-    workbook: false,
-    report: false,
-    pages: 0,
-    plan: None,
-    since: None,
-    signing: crate::signature::Signing {
-        allows_recalled: false,
-    },
-};
-
 fn table(inventory: &Inventory, assessed: usize) -> (Vec<String>, Vec<Vec<String>>) {
-    let (folder, names) = written(inventory, assessed, CSV_ALONE);
+    let (folder, names) = written(inventory, assessed, TABLES);
     assert_eq!(names, [CSV_NAME, WORKLIST_NAME]);
     let bytes = read(&folder, CSV_NAME);
     let mut reader = csv::Reader::from_reader(&bytes[..]);
@@ -268,7 +257,7 @@ fn rows_that_come_in_another_order_are_refused() {
     let head = crate::assessment::fixture::head(3);
     let mut rows = rows.into_iter().map(Ok);
     let problem =
-        crate::assessment::write_all(&out, &head, &inventory, CSV_ALONE, &mut rows).unwrap_err();
+        crate::assessment::write_all(&out, &head, &inventory, TABLES, &mut rows).unwrap_err();
     assert!(
         problem.message.contains("order of the inventory"),
         "{problem}"

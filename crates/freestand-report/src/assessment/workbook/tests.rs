@@ -3,21 +3,14 @@ use std::io::Cursor;
 use calamine::{Data, DataType, Reader, Xlsx, open_workbook_from_rs};
 
 use crate::assessment::Wanted;
-use crate::assessment::fixture::{HOSTILE, hostile_items, inventory, item, read, written};
+use crate::assessment::fixture::{HOSTILE, TABLES, hostile_items, inventory, item, read, written};
 use crate::assessment::table::COLUMNS;
 
 use super::*;
 
 const ALONE: Wanted = Wanted {
-    parquet: false,
     workbook: true,
-    report: false,
-    pages: 0,
-    plan: None,
-    since: None,
-    signing: crate::signature::Signing {
-        allows_recalled: false,
-    },
+    ..TABLES
 };
 
 fn bytes(inventory: &Inventory, assessed: usize) -> Vec<u8> {
