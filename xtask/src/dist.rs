@@ -372,6 +372,9 @@ impl<'a> Parts<'a> {
     }
 }
 
+/// The folder of the font of figures, with its licence.
+const FONT: &str = "crates/freestand-output/src/figure/font";
+
 /// The licences of everything that goes into the program, each text once, with what it is of: most licences ask for
 /// it wherever a program is handed on.
 fn notices(root: &Path, parts: &Parts<'_>) -> Result<String, String> {
@@ -411,6 +414,8 @@ fn notices(root: &Path, parts: &Parts<'_>) -> Result<String, String> {
         let folder = root.join(PAGE).with_file_name("").join(&path);
         add(format!("{name} {}", text(&package["version"])), &folder)?;
     }
+    told += "DejaVu Sans 2.37: Bitstream Vera and public domain\n";
+    add("DejaVu Sans 2.37".to_owned(), &root.join(FONT))?;
     for (text, names) in texts {
         told += &format!("\n{}\n{}:\n\n{text}\n", "-".repeat(72), names.join(", "));
     }

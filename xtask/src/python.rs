@@ -25,6 +25,9 @@ const TEST: [&str; 8] = [
     "matplotlib>=3.8",
 ];
 
+/// A level of compression: ten attempts of Zopfli.
+const ZOPFLI: i64 = 19;
+
 /// What makes pages of its docstrings.
 const PAGES: [&str; 1] = ["pdoc>=16,<17"];
 
@@ -115,26 +118,24 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
         .flatten()
         .flatten()
         .for_each(|file| _ = empty(file.path()));
-    let profile = if profile == Profile::Dev {
+    let profile_name = if profile == Profile::Dev {
         "dev"
     } else {
         "published"
     };
     let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
-    // The strongest compression that every installer reads; it costs a few seconds and saves 3 %.
-    let level = if profile == "dev" { "1" } else { "9" };
     let arguments = [
         &[
             "build",
             "--locked",
             "--profile",
-            profile,
+            profile_name,
             "--manifest-path",
             &manifest,
             "--out",
             &out_text,
         ][..],
-        &["--compression-level", level],
+        &["--compression-level", "1"],
     ]
     .concat();
     run(root, tool(root, "maturin"), &arguments)?;
@@ -144,7 +145,33 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
         .flatten()
         .map(|file| file.path())
         .find(|path| path.extension().is_some_and(|end| end == "whl"));
-    found.ok_or_else(|| Trouble::Wrong(format!("maturin wrote no wheel into {}", out.display())))
+    let wheel = found
+        .ok_or_else(|| Trouble::Wrong(format!("maturin wrote no wheel into {}", out.display())))?;
+    if profile == Profile::Published {
+        pack(&wheel).map_err(|error| Trouble::Wrong(format!("{}: {error}", wheel.display())))?;
+    }
+    Ok(wheel)
+}
+
+/// Compresses a wheel as strongly as every installer can read, which takes minutes. Its files stay as they are, and
+/// so does the list of their checksums in it.
+fn pack(wheel: &Path) -> zip::result::ZipResult<()> {
+    let mut read = zip::ZipArchive::new(std::fs::File::open(wheel)?)?;
+    let packed = wheel.with_extension("packed");
+    let mut write = zip::ZipWriter::new(std::fs::File::create(&packed)?);
+    for index in 0..read.len() {
+        let mut file = read.by_index(index)?;
+        let name = file.name()?.into_owned();
+        let options = file
+            .options()
+            .compression_method(zip::CompressionMethod::Deflated)
+            .compression_level(Some(ZOPFLI));
+        write.start_file(name, options)?;
+        std::io::copy(&mut file, &mut write)?;
+    }
+    write.finish()?;
+    std::fs::rename(packed, wheel)?;
+    Ok(())
 }
 
 /// Builds the wheel, installs it, and runs its tests and the checks of its types. All of it: with
@@ -321,5 +348,41 @@ fn run(folder: &Path, program: impl AsRef<OsStr>, arguments: &[&str]) -> Result<
         Ok(status) if status.success() => Ok(()),
         Ok(status) => Err(Trouble::Wrong(format!("{status}: {name}"))),
         Err(error) => Err(Trouble::NotHere(format!("cannot run {name}: {error}"))),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::{Read as _, Write as _};
+
+    use super::*;
+
+    #[test]
+    fn a_packed_wheel_has_the_same_files() {
+        let wheel = std::env::temp_dir().join(format!("packed-{}.whl", std::process::id()));
+        let mut write = zip::ZipWriter::new(std::fs::File::create(&wheel).unwrap());
+        let stored = zip::write::SimpleFileOptions::default()
+            .compression_method(zip::CompressionMethod::Deflated)
+            .compression_level(Some(1))
+            .unix_permissions(0o755);
+        let text = "freestand ".repeat(1000);
+        write
+            .start_file("freestand.data/scripts/freestand", stored)
+            .unwrap();
+        write.write_all(text.as_bytes()).unwrap();
+        write.finish().unwrap();
+        let before = std::fs::metadata(&wheel).unwrap().len();
+        pack(&wheel).unwrap();
+        assert!(std::fs::metadata(&wheel).unwrap().len() < before);
+        let mut read = zip::ZipArchive::new(std::fs::File::open(&wheel).unwrap()).unwrap();
+        let mut file = read.by_name("freestand.data/scripts/freestand").unwrap();
+        // What installers run has to stay executable.
+        assert_eq!(file.unix_mode().unwrap() & 0o777, 0o755);
+        let mut found = String::new();
+        file.read_to_string(&mut found).unwrap();
+        assert_eq!(found, text);
+        drop(file);
+        drop(read);
+        std::fs::remove_file(wheel).unwrap();
     }
 }

@@ -493,6 +493,7 @@ fn the_page_is_packed_and_known_again() {
         ),
         (None, Some("gzip"))
     );
+    assert!(plain.body.starts_with(b"<!doctype html>"));
     let tag = packed.header("etag").unwrap().to_owned();
     assert_ne!(Some(tag.as_str()), plain.header("etag"));
     let again = site.ask(

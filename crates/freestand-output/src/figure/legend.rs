@@ -1,8 +1,8 @@
 //! A legend in rows under the panels.
 
-use kuva::plot::scatter::MarkerShape;
-use kuva::render::render::{PathData, Primitive, Scene, TextAnchor};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 
+use super::mark::{MarkerShape, add_marker};
 use super::style::{CurveStyle, DARK, TEXT_PX, WIDTH_PX};
 
 /// One entry of the legend.
@@ -76,6 +76,8 @@ pub enum Sign {
     },
 }
 
+/// About half the width of a marker.
+const MARKER_PX: f64 = 4.2;
 const SIGN_PX: f64 = 34.0;
 const GAP_PX: f64 = 6.0;
 const BETWEEN_PX: f64 = 18.0;
@@ -127,7 +129,7 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
     match sign {
         Sign::Curve(style) => {
             add_line(scene, x, y, style.colour, 2.0, style.dash);
-            add_marker(scene, style.marker, middle, y, style.colour);
+            add_marker(scene, style.marker, (middle, y), MARKER_PX, style.colour);
         }
         Sign::Line {
             colour,
@@ -149,7 +151,9 @@ fn add_sign(scene: &mut Scene, sign: Sign, x: f64, y: f64) {
                 });
             }
         }
-        Sign::Dot { colour } => add_marker(scene, MarkerShape::Circle, middle, y, colour),
+        Sign::Dot { colour } => {
+            add_marker(scene, MarkerShape::Circle, (middle, y), MARKER_PX, colour)
+        }
         Sign::Square { colour, filled } => scene.add(Primitive::Rect {
             x: middle - 4.2,
             y: y - 4.2,
@@ -190,52 +194,4 @@ fn add_line(scene: &mut Scene, x: f64, y: f64, colour: &str, width_px: f64, dash
         stroke_width: width_px,
         stroke_dasharray: dash.map(str::to_owned),
     });
-}
-
-/// Draws markers like those of the plot library, which does not export its own.
-fn add_marker(scene: &mut Scene, marker: MarkerShape, x: f64, y: f64, colour: &str) {
-    let corners: &[(f64, f64)] = match marker {
-        MarkerShape::Square => &[(-4.0, -4.0), (4.0, -4.0), (4.0, 4.0), (-4.0, 4.0)],
-        MarkerShape::Triangle => &[(0.0, -5.0), (4.6, 3.4), (-4.6, 3.4)],
-        MarkerShape::TriangleDown => &[(0.0, 5.0), (4.6, -3.4), (-4.6, -3.4)],
-        MarkerShape::Diamond => &[(0.0, -5.4), (5.4, 0.0), (0.0, 5.4), (-5.4, 0.0)],
-        MarkerShape::Plus => &[
-            (-1.0, -5.0),
-            (1.0, -5.0),
-            (1.0, -1.0),
-            (5.0, -1.0),
-            (5.0, 1.0),
-            (1.0, 1.0),
-            (1.0, 5.0),
-            (-1.0, 5.0),
-            (-1.0, 1.0),
-            (-5.0, 1.0),
-            (-5.0, -1.0),
-            (-1.0, -1.0),
-        ],
-        _ => {
-            scene.add(Primitive::Circle {
-                cx: x,
-                cy: y,
-                r: 4.0,
-                fill: colour.into(),
-                fill_opacity: None,
-                stroke: None,
-                stroke_width: None,
-            });
-            return;
-        }
-    };
-    let path: Vec<String> = corners
-        .iter()
-        .map(|(dx, dy)| format!("{:.1} {:.1}", x + dx, y + dy))
-        .collect();
-    scene.add(Primitive::Path(Box::new(PathData {
-        d: format!("M{}Z", path.join(" L")),
-        fill: Some(colour.into()),
-        stroke: colour.into(),
-        stroke_width: 0.5,
-        opacity: None,
-        stroke_dasharray: None,
-    })));
 }

@@ -2,7 +2,9 @@
 //! and Ito (2008); dashes and markers differ as well.
 
 pub mod legend;
+pub mod mark;
 pub mod page;
+mod raster;
 pub mod style;
 pub mod time;
 

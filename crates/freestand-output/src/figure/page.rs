@@ -1,20 +1,20 @@
 //! Draws pages of panels as SVG and PNG.
 
-use kuva::backend::png::PngBackend;
 use kuva::backend::svg::SvgBackend;
-use kuva::render::figure::Figure as Grid;
-use kuva::render::layout::Layout;
-use kuva::render::plots::Plot;
-use kuva::render::render::{Primitive, Scene};
+use kuva::render::annotations::{add_reference_lines, add_shaded_regions, add_text_annotations};
+use kuva::render::axis::{add_axes_and_grid, add_labels_and_title};
+use kuva::render::layout::{ComputedLayout, Layout};
+use kuva::render::render::{Primitive, Scene, TextAnchor};
 
 use super::legend::{Entry, add_legend};
+use super::mark::Mark;
 use super::style::{TEXT_PX, WIDTH_PX};
-use super::{Figure, FigureError};
+use super::{Figure, FigureError, mark, raster};
 
 /// One set of axes with its curves and markers.
 pub struct Panel {
     /// Curves and markers.
-    pub plots: Vec<Plot>,
+    pub marks: Vec<Mark>,
     /// Axes.
     pub layout: Layout,
 }
@@ -40,6 +40,12 @@ pub struct Page {
 /// Pixels of the PNG for each pixel of the figure: 1600 px wide, 226 dpi at 180 mm.
 const PNG_SCALE: f32 = 2.0;
 const GAP_PX: f64 = 6.0;
+const TITLE_PX: f64 = TEXT_PX as f64 + 4.0;
+const TITLE_GAP_PX: f64 = 0.2 * TITLE_PX;
+/// Above and below the base line, of the letters of DejaVu Sans.
+const ASCENT_EM: f64 = 1901.0 / 2048.0;
+const DESCENT_EM: f64 = 483.0 / 2048.0;
+const TITLE_BAND_PX: f64 = (ASCENT_EM + DESCENT_EM) * TITLE_PX + 2.0 * TITLE_GAP_PX;
 
 /// Number of columns for a number of panels: side by side up to three, then two in a row.
 pub fn columns(panels: usize) -> usize {
@@ -53,39 +59,50 @@ pub fn panel_width_px(columns: usize) -> f64 {
 
 /// Draws a page.
 pub fn draw(page: Page) -> Result<Figure, FigureError> {
-    let rows = page.row_heights_px.len();
-    let (mut plots, mut layouts) = (Vec::new(), Vec::new());
-    for panel in page.panels {
-        plots.push(panel.plots);
-        layouts.push(panel.layout);
-    }
-    // The library treats a cell without a layout as empty only if it has no plots either.
-    while layouts.len() < rows * page.columns {
-        plots.push(Vec::new());
-        layouts.push(Layout::new((0.0, 1.0), (0.0, 1.0)));
-    }
-    let mut grid = Grid::new(rows, page.columns)
-        .with_title(page.title.as_str())
-        .with_title_size(TEXT_PX + 4)
-        .with_spacing(GAP_PX)
-        .with_padding(GAP_PX)
-        .with_cell_size(panel_width_px(page.columns), 300.0)
-        .with_plots(plots)
-        .with_layouts(layouts);
-    for (row, &height) in page.row_heights_px.iter().enumerate() {
-        grid = grid.with_row_height(row, height);
-    }
-    let mut scene = grid.render();
-    add_legend(&mut scene, &page.legend);
+    let rows = page.row_heights_px.len() as f64;
+    let heights_px: f64 = page.row_heights_px.iter().sum();
+    let mut scene = Scene::new(
+        WIDTH_PX,
+        TITLE_BAND_PX + 2.0 * GAP_PX + heights_px + (rows - 1.0) * GAP_PX,
+    );
+    scene.font_family = Some("DejaVu Sans, Verdana, Liberation Sans, Arial, sans-serif".to_owned());
+    scene.text_color = Some("black".to_owned());
     let name = page.name;
-    name_clips(&mut scene, &name);
-    let png = PngBackend::new()
-        .with_scale(PNG_SCALE)
-        .render_scene(&scene)
-        .map_err(|reason| FigureError {
-            figure: name.clone(),
-            reason,
-        })?;
+    let width_px = panel_width_px(page.columns);
+    let mut y = TITLE_BAND_PX + GAP_PX;
+    let mut panels = page.panels.into_iter().enumerate();
+    for &height_px in &page.row_heights_px {
+        for column in 0..page.columns {
+            let Some((i, panel)) = panels.next() else {
+                break;
+            };
+            let x = GAP_PX + column as f64 * (width_px + GAP_PX);
+            scene.add(Primitive::GroupStart {
+                transform: Some(format!("translate({x},{y})")),
+                title: None,
+                extra_attrs: None,
+            });
+            let clip = format!("{name}-clip-{}", i + 1);
+            add_panel(&mut scene, panel, (width_px, height_px), clip);
+            scene.add(Primitive::GroupEnd);
+        }
+        y += height_px + GAP_PX;
+    }
+    scene.add(Primitive::Text {
+        x: 0.5 * WIDTH_PX,
+        y: TITLE_GAP_PX + ASCENT_EM * TITLE_PX,
+        content: page.title.clone(),
+        size: TITLE_PX as u32,
+        anchor: TextAnchor::Middle,
+        rotate: None,
+        bold: false,
+        color: None,
+    });
+    add_legend(&mut scene, &page.legend);
+    let png = raster::png(&scene, PNG_SCALE).map_err(|reason| FigureError {
+        figure: name.clone(),
+        reason,
+    })?;
     let svg = with_view_box(
         SvgBackend::new().render_scene(&scene),
         scene.width,
@@ -100,24 +117,35 @@ pub fn draw(page: Page) -> Result<Figure, FigureError> {
     })
 }
 
-/// Names the clipping paths after the figure: the library numbers them across the process, so the
-/// same figure would differ from run to run.
-fn name_clips(scene: &mut Scene, figure: &str) {
-    let mut count = 0;
-    let mut names: Vec<(String, String)> = Vec::new();
-    for element in &mut scene.elements {
-        if let Primitive::ClipStart { id, .. } = element {
-            count += 1;
-            let name = format!("{figure}-clip-{count}");
-            names.push((format!("id=\"{id}\""), format!("id=\"{name}\"")));
-            *id = name;
-        }
+/// Draws the axes of a panel and what is over them.
+fn add_panel(scene: &mut Scene, panel: Panel, (width_px, height_px): (f64, f64), clip: String) {
+    let layout = panel.layout.with_width(width_px).with_height(height_px);
+    let axes = ComputedLayout::from_layout(&layout);
+    add_axes_and_grid(scene, &axes, &layout);
+    add_labels_and_title(scene, &axes, &layout);
+    let [x, y, width, height] = [
+        axes.margin_left,
+        axes.margin_top,
+        axes.plot_width(),
+        axes.plot_height(),
+    ];
+    scene.defs.push(format!(
+        r#"<clipPath id="{clip}"><rect x="{x:.2}" y="{y:.2}" width="{width:.2}" height="{height:.2}"/></clipPath>"#
+    ));
+    scene.add(Primitive::ClipStart {
+        x,
+        y,
+        width,
+        height,
+        id: clip,
+    });
+    add_shaded_regions(&layout.shaded_regions, scene, &axes);
+    for mark in &panel.marks {
+        mark::draw(mark, &axes, scene);
     }
-    for def in &mut scene.defs {
-        if let Some((old, new)) = names.iter().find(|(old, _)| def.contains(old.as_str())) {
-            *def = def.replace(old.as_str(), new);
-        }
-    }
+    add_reference_lines(&layout.reference_lines, scene, &axes);
+    add_text_annotations(&layout.annotations, scene, &axes);
+    scene.add(Primitive::ClipEnd);
 }
 
 /// Lets the drawing scale to the available width.

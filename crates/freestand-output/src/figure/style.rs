@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use kuva::plot::line::{LinePlot, LineStyle};
-use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::{Layout, TickAlign, TickFormat};
-use kuva::render::plots::Plot;
 
 use freestand_input::words::number;
+
+use super::mark::{Mark, MarkerShape};
 
 /// Width of every figure \[px\]. At 180 mm in print a pixel is 0.64 pt, so that [`TEXT_PX`] is 8.3
 /// pt.
@@ -31,7 +30,7 @@ pub const BAND_OPACITY: f64 = 0.14;
 const COLOURS: [&str; 7] = [
     "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
 ];
-/// Dashes; in a PNG, lines have round ends, which narrow each gap by the width of the line.
+/// Dashes and gaps \[px\].
 const DASHES: [Option<&str>; 5] = [
     None,
     Some("10 6"),
@@ -70,29 +69,55 @@ pub fn curve_style(index: usize) -> CurveStyle {
 }
 
 /// A line through points.
-pub fn line(points: &[(f64, f64)], colour: &str, width_px: f64, dash: Option<&str>) -> Plot {
-    let style = dash.map_or(LineStyle::Solid, |d| LineStyle::Custom(d.into()));
-    LinePlot::new()
-        .with_data(points.iter().copied())
-        .with_color(colour)
-        .with_stroke_width(width_px)
-        .with_line_style(style)
-        .into()
+pub fn line(
+    points: &[(f64, f64)],
+    colour: &'static str,
+    width_px: f64,
+    dash: Option<&'static str>,
+) -> Mark {
+    Mark::Line {
+        points: points.to_vec(),
+        colour,
+        width_px,
+        dash,
+    }
 }
 
 /// Markers at points.
-pub fn markers(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> Plot {
-    ScatterPlot::new()
-        .with_data(points.iter().copied())
-        .with_color(colour)
-        .with_marker(shape)
-        .with_size(size_px)
-        .into()
+pub fn markers(
+    points: &[(f64, f64)],
+    colour: &'static str,
+    shape: MarkerShape,
+    size_px: f64,
+) -> Mark {
+    Mark::Markers {
+        points: points.to_vec(),
+        colour,
+        shape,
+        size_px,
+    }
 }
 
-/// Outlines of markers at points: white on top of coloured, because the PNG does not have
-/// transparent fills.
-pub fn hollow(points: &[(f64, f64)], colour: &str, shape: MarkerShape, size_px: f64) -> [Plot; 2] {
+/// The area between two curves: abscissa, lower and upper ordinate of each point.
+pub fn band(
+    points: impl IntoIterator<Item = (f64, f64, f64)>,
+    colour: &'static str,
+    opacity: f64,
+) -> Mark {
+    Mark::Band {
+        points: points.into_iter().collect(),
+        colour,
+        opacity,
+    }
+}
+
+/// Outlines of markers at points: white on top of coloured.
+pub fn hollow(
+    points: &[(f64, f64)],
+    colour: &'static str,
+    shape: MarkerShape,
+    size_px: f64,
+) -> [Mark; 2] {
     [
         markers(points, colour, shape, size_px),
         markers(points, "#ffffff", shape, size_px - 1.8),

@@ -1,6 +1,6 @@
 //! The spectrum of a code, and the accelerations of parts over the height of a building.
 
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::MarkerShape;
 
 use freestand_input::words::number;
 
@@ -75,10 +75,10 @@ fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
         line(curve, style.colour, 2.2, style.dash)
     };
     let curve = above_zero(&report.sa_g);
-    let mut plots = vec![drawn(0, &curve)];
+    let mut marks = vec![drawn(0, &curve)];
     let mut highest = report.sa_g.iter().copied().fold(0.0, f64::max);
     if let Some(vertical) = &report.vertical_sa_g {
-        plots.push(drawn(1, &above_zero(vertical)));
+        marks.push(drawn(1, &above_zero(vertical)));
         highest = vertical.iter().copied().fold(highest, f64::max);
     }
     let (mut from, mut to) = (
@@ -92,12 +92,12 @@ fn spectrum_panel(report: &CodeSpectrumReport) -> Panel {
         .filter(|(t, _)| (from..=to).contains(t))
         .collect();
     if !corners.is_empty() {
-        plots.push(markers(&corners, DARK, MarkerShape::Circle, 3.6));
+        marks.push(markers(&corners, DARK, MarkerShape::Circle, 3.6));
     }
     let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
     let top = y.to;
     let layout = over_periods(axes(Axis::between(from, to, "Period (s)"), y), top);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 fn parts_panel(levels: &[PartsLevel]) -> Panel {
@@ -107,7 +107,7 @@ fn parts_panel(levels: &[PartsLevel]) -> Panel {
         .collect();
     let highest = points.iter().map(|point| point.0).fold(0.0, f64::max);
     let style = curve_style(2);
-    let plots = vec![
+    let marks = vec![
         line(&points, style.colour, 2.2, None),
         markers(&points, style.colour, style.marker, 3.2),
     ];
@@ -119,5 +119,5 @@ fn parts_panel(levels: &[PartsLevel]) -> Panel {
     };
     let mut layout = axes(x, y);
     layout.x_tick_format = x_ticks;
-    Panel { plots, layout }
+    Panel { marks, layout }
 }

@@ -32,7 +32,7 @@ pub fn floor_response_figure(
     }
     let panel = |(damping, &ratio): (usize, &f64)| {
         let mut highest = 0.0f64;
-        let mut plots = Vec::new();
+        let mut marks = Vec::new();
         for (style, &index) in drawn.iter().enumerate() {
             let Some(psa) = report
                 .levels
@@ -47,14 +47,14 @@ pub fn floor_response_figure(
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             highest = points.iter().map(|point| point.1).fold(highest, f64::max);
             let style = curve_style(style);
-            plots.push(line(&points, style.colour, 2.0, style.dash));
+            marks.push(line(&points, style.colour, 2.0, style.dash));
         }
         let x = Axis::between(from, to, "Period (s)");
         let y = Axis::from_zero(1.02 * highest, "Spectral acceleration (g)");
         let title = format!("damping {} %", number(100.0 * ratio, 4));
         let mut layout = axes(x, y).with_title(plain(&title)).with_log_x();
         layout.x_tick_format = decades();
-        Panel { plots, layout }
+        Panel { marks, layout }
     };
     let panels: Vec<Panel> = report
         .damping_ratios

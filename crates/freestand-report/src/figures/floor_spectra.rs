@@ -2,9 +2,8 @@
 
 use freestand::G0_M_S2;
 use freestand::code_spectrum::CodeSpectrum;
-use kuva::plot::BandPlot;
+use freestand_output::figure::mark::Mark;
 use kuva::render::annotations::ReferenceLine;
-use kuva::render::plots::Plot;
 
 use freestand_study::result::{PseudoSpectrum, StudyResult};
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
@@ -14,7 +13,7 @@ use super::kind::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns};
 use freestand_output::figure::style::{
-    Axis, BAND_OPACITY, DARK, GREY, axes, curve_style, decades, line, plain, rule,
+    Axis, BAND_OPACITY, DARK, GREY, axes, band, curve_style, decades, line, plain, rule,
 };
 
 const PANEL_PX: f64 = 310.0;
@@ -121,20 +120,19 @@ fn panel(
 ) -> Panel {
     let curves: Vec<Vec<(f64, f64)>> = spectra.iter().map(|s| points(s)).collect();
     let [low, median, high] = quantiles(&curves);
-    let mut plots: Vec<Plot> = Vec::new();
+    let mut marks: Vec<Mark> = Vec::new();
     if curves.len() > MAX_LINES {
-        let band = BandPlot::new(
-            low.iter().map(|p| p.0),
-            low.iter().map(|p| p.1),
-            high.iter().map(|p| p.1),
-        );
-        plots.push(band.with_color(DARK).with_opacity(BAND_OPACITY).into());
+        let between = low
+            .iter()
+            .zip(&high)
+            .map(|(low, high)| (low.0, low.1, high.1));
+        marks.push(band(between, DARK, BAND_OPACITY));
     } else if curves.len() > 1 {
-        plots.extend(curves.iter().map(|c| line(c, GREY, 0.9, None)));
+        marks.extend(curves.iter().map(|c| line(c, GREY, 0.9, None)));
     }
-    plots.push(line(&median, curve_style(0).colour, 2.4, None));
+    marks.push(line(&median, curve_style(0).colour, 2.4, None));
     if let Some(target) = target {
-        plots.push(line(target, curve_style(1).colour, 2.0, Some(TARGET_DASH)));
+        marks.push(line(target, curve_style(1).colour, 2.0, Some(TARGET_DASH)));
     }
     let drawn = curves.iter().flatten().chain(target.unwrap_or(&[]));
     let (mut from, mut to, mut highest) = (f64::INFINITY, 0.0f64, 0.0f64);
@@ -160,7 +158,7 @@ fn panel(
         let mark = rule(ReferenceLine::vertical(period_s), DARK, 0.8, "2 3");
         layout = layout.with_reference_line(mark.with_label(["T₁", "T₂", "T₃"][i.min(2)]));
     }
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 fn points(spectrum: &PseudoSpectrum) -> Vec<(f64, f64)> {

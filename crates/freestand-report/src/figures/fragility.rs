@@ -1,6 +1,6 @@
 //! Fragility curves with what was seen.
 
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::MarkerShape;
 
 use freestand::fragility::{CurveKind, LimitState, empirical};
 use freestand_input::quantity::shorten;
@@ -108,7 +108,7 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
         label: "Probability".to_owned(),
     };
     let at = |i: usize| to * (i as f64 + 0.5) / POINTS as f64;
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     for curve in &object.fit.curves {
         let style = curve_style(place(curve.limit_state));
         let drawn = |kind: CurveKind| -> Vec<(f64, f64)> {
@@ -121,12 +121,12 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
             CurveKind::All { upper } => vec![(upper.max(least), 1.0), (to, 1.0)],
             kind => drawn(kind),
         };
-        plots.push(line(&sure, style.colour, 2.0, style.dash));
+        marks.push(line(&sure, style.colour, 2.0, style.dash));
         if let (CurveKind::Lognormal { beta, .. }, Some((ends, _))) =
             (curve.kind, object.interval(curve.limit_state))
         {
             for median in [ends.0, ends.1] {
-                plots.push(line(
+                marks.push(line(
                     &drawn(CurveKind::Lognormal { median, beta }),
                     style.colour,
                     0.7,
@@ -143,7 +143,7 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
         } else {
             style.marker
         };
-        plots.extend(hollow(
+        marks.extend(hollow(
             &seen,
             style.colour,
             shape,
@@ -155,9 +155,9 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
         let drawn: Vec<(f64, f64)> = (0..POINTS)
             .map(|i| (at(i), two_stage.probability(at(i))))
             .collect();
-        plots.push(line(&drawn, style.colour, 2.0, style.dash));
+        marks.push(line(&drawn, style.colour, 2.0, style.dash));
     }
     let mut layout = axes(x, y).with_title(plain(&shorten(&object.id)));
     layout.x_tick_format = plain_ticks(to);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }

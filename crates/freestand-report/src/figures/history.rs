@@ -1,7 +1,7 @@
 //! One rocking history: rotation, floor acceleration, impacts.
 
 use freestand::G0_M_S2;
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::MarkerShape;
 use kuva::render::annotations::ReferenceLine;
 
 use freestand::block::Block;
@@ -62,7 +62,12 @@ pub(super) fn history(result: &StudyResult) -> Option<Page> {
         legend.push(Entry::new(Sign::Cross, "overturns"));
     }
     let panels = vec![
-        rotation_panel(&theta, h.outcome, time_axis(from, to), &Marks::default()),
+        rotation_panel(
+            &theta,
+            h.outcome,
+            time_axis(from, to),
+            &WallMarks::default(),
+        ),
         accel_panel(&accel, time_axis(from, to), "Floor acceleration (g)", false),
         impact_panel(&impacts, time_axis(from, to)),
     ];
@@ -168,7 +173,7 @@ pub fn rock_figure(
                 &theta,
                 outcome,
                 time_axis(from, to),
-                &Marks { walls, struck },
+                &WallMarks { walls, struck },
             ),
             below,
         ],
@@ -205,18 +210,18 @@ fn window(h: &ExampleHistory) -> Option<(f64, f64)> {
 
 /// What a rotation panel shows of walls, divided by α.
 #[derive(Debug, Default)]
-struct Marks {
+struct WallMarks {
     /// The rotations at which the object touches them.
     walls: Vec<f64>,
     /// Times and rotations of the impacts on them.
     struck: Vec<(f64, f64)>,
 }
 
-fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Marks) -> Panel {
+fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, at_walls: &WallMarks) -> Panel {
     let largest = points
         .iter()
         .map(|p| p.1)
-        .chain(marks.walls.iter().copied())
+        .chain(at_walls.walls.iter().copied())
         .fold(0.0f64, |m, y| m.max(y.abs()));
     let reach = (1.1 * largest).clamp(1.15, HIGHEST_RATIO);
     let y = Axis {
@@ -228,22 +233,22 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
         .iter()
         .position(|p| p.1.abs() > reach)
         .map_or(points.len(), |i| i + 1);
-    let mut plots = vec![line(&points[..end], curve_style(0).colour, 1.6, None)];
+    let mut marks = vec![line(&points[..end], curve_style(0).colour, 1.6, None)];
     if outcome == Outcome::Overturned
         && let Some(&(t, ratio)) = points.get(end.saturating_sub(1))
     {
-        plots.push(markers(
+        marks.push(markers(
             &[(t, ratio.signum() * 0.93 * reach)],
             DARK,
             MarkerShape::Cross,
             5.0,
         ));
     }
-    if !marks.struck.is_empty() {
-        plots.push(markers(&marks.struck, WALL, MarkerShape::Circle, 3.0));
+    if !at_walls.struck.is_empty() {
+        marks.push(markers(&at_walls.struck, WALL, MarkerShape::Circle, 3.0));
     }
     let mut layout = stacked(x, y, false);
-    for &value in &marks.walls {
+    for &value in &at_walls.walls {
         layout =
             layout.with_reference_line(rule(ReferenceLine::horizontal(value), WALL, 1.4, "1 0"));
     }
@@ -251,12 +256,12 @@ fn rotation_panel(points: &[(f64, f64)], outcome: Outcome, x: Axis, marks: &Mark
         layout =
             layout.with_reference_line(rule(ReferenceLine::horizontal(value), DARK, 1.2, "5 3"));
     }
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 pub(super) fn accel_panel(points: &[(f64, f64)], x: Axis, label: &str, lowest: bool) -> Panel {
     Panel {
-        plots: vec![line(points, "#555555", 0.9, None)],
+        marks: vec![line(points, "#555555", 0.9, None)],
         layout: stacked(x, symmetric(peak(points), label), lowest),
     }
 }
@@ -281,12 +286,12 @@ fn impact_panel(impacts: &[(f64, f64)], x: Axis) -> Panel {
         .copied()
         .filter(|p| p.1 > 0.02 * highest)
         .collect();
-    let plots = vec![
+    let marks = vec![
         line(&base, colour, 1.4, None),
         markers(&heads, colour, MarkerShape::Circle, 3.0),
     ];
     Panel {
-        plots,
+        marks,
         layout: stacked(x, y, true),
     }
 }

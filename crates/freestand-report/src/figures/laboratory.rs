@@ -135,17 +135,17 @@ fn panel(curves: &[Vec<(f64, f64)>], fits: &[Vec<(f64, f64)>], label: &str) -> P
         "Compression (mm)",
     );
     let y = Axis::from_zero(1.05 * all().fold(0.0, |most: f64, p| most.max(p.1)), label);
-    let mut plots: Vec<_> = curves
+    let mut marks: Vec<_> = curves
         .iter()
         .enumerate()
         .map(|(i, points)| line(points, curve_style(i).colour, 1.6, curve_style(i).dash))
         .collect();
-    plots.extend(
+    marks.extend(
         fits.iter()
             .map(|points| line(points, DARK, 1.2, Some("4 4"))),
     );
     Panel {
-        plots,
+        marks,
         layout: axes(x, y),
     }
 }

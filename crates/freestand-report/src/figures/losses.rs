@@ -1,6 +1,6 @@
 //! What all sites lose together, and where they are.
 
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::MarkerShape;
 
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns, draw};
@@ -71,7 +71,7 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
     let mut layout = axes(x, y).with_title("Losses").with_log_x();
     layout.x_tick_format = decades();
     layout.y_tick_format = plain_ticks(top);
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     for (i, dependence) in [
         Together::Common,
         Together::Correlated,
@@ -91,7 +91,7 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
             continue;
         }
         let style = curve_style(i);
-        plots.push(line(&points, style.colour, 2.0, style.dash));
+        marks.push(line(&points, style.colour, 2.0, style.dash));
         legend.push(Entry {
             sign: Sign::Line {
                 colour: style.colour,
@@ -101,7 +101,7 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
             words: format!("{} earthquakes", dependence.name()),
         });
     }
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 /// `None`: no site has coordinates.
@@ -130,7 +130,7 @@ fn map(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Option<Panel> {
     let mut layout = axes(x, y).with_title("Sites");
     layout.x_tick_format = plain_ticks(east - west);
     layout.y_tick_format = plain_ticks(north - south);
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     for (i, (site, at)) in placed.iter().enumerate() {
         let share = if most > 0.0 {
             site.annual_loss / most
@@ -140,7 +140,7 @@ fn map(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Option<Panel> {
         let size_px = (LARGEST_PX * share.sqrt()).max(SMALLEST_PX);
         // Beyond those that are named all have one colour.
         let colour = curve_style(3 + i.min(MOST_NAMED)).colour;
-        plots.push(markers(&[*at], colour, MarkerShape::Circle, size_px));
+        marks.push(markers(&[*at], colour, MarkerShape::Circle, size_px));
         if i < MOST_NAMED {
             legend.push(Entry {
                 sign: Sign::Dot { colour },
@@ -148,5 +148,5 @@ fn map(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Option<Panel> {
             });
         }
     }
-    Some(Panel { plots, layout })
+    Some(Panel { marks, layout })
 }

@@ -63,15 +63,15 @@ pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureErro
     } else {
         (None, "the motion")
     };
-    let mut plots: Vec<_> = if several {
+    let mut marks: Vec<_> = if several {
         drawn
             .map(|psa| line(&points(psa), GREY, 0.7, None))
             .collect()
     } else {
         Vec::new()
     };
-    plots.push(line(&points(&mean), mean_style.colour, 1.8, dash));
-    plots.push(line(
+    marks.push(line(&points(&mean), mean_style.colour, 1.8, dash));
+    marks.push(line(
         &points(picture.target_sa_g),
         target_style.colour,
         2.2,
@@ -97,7 +97,7 @@ pub fn matched_figure(picture: &MatchedPicture<'_>) -> Result<Figure, FigureErro
             },
             picture.target
         ),
-        panels: vec![Panel { plots, layout }],
+        panels: vec![Panel { marks, layout }],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend: [

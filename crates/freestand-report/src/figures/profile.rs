@@ -1,8 +1,7 @@
 //! Peak floor accelerations over the height of a building.
 
+use freestand_output::figure::mark::{Mark, MarkerShape};
 use freestand_study::floor::FloorReport;
-use kuva::plot::scatter::MarkerShape;
-use kuva::render::plots::Plot;
 
 use freestand_input::words::number;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
@@ -45,22 +44,22 @@ pub(super) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
         .map(|(i, motion)| curve(picture, motion, picture.pga_g.get(i), scale))
         .collect();
     let several = curves.len() > 1;
-    let mut plots: Vec<Plot> = Vec::new();
+    let mut marks: Vec<Mark> = Vec::new();
     let mut legend = Vec::new();
     if several {
-        plots.extend(curves.iter().map(|curve| line(curve, GREY, 0.9, None)));
+        marks.extend(curves.iter().map(|curve| line(curve, GREY, 0.9, None)));
         legend.push(Entry::line(GREY, 0.9, None, "each motion"));
     }
     let [low, median, high] = QUANTILES.map(|quantile| quantile_curve(&curves, quantile));
     let colour = curve_style(0).colour;
     if several {
         for curve in [&low, &high] {
-            plots.push(line(curve, colour, 1.4, Some(QUANTILE_DASH)));
+            marks.push(line(curve, colour, 1.4, Some(QUANTILE_DASH)));
         }
     }
-    plots.push(line(&median, colour, 2.4, None));
+    marks.push(line(&median, colour, 2.4, None));
     if median.len() <= MARKED_LEVELS {
-        plots.push(markers(&median, colour, MarkerShape::Circle, 3.5));
+        marks.push(markers(&median, colour, MarkerShape::Circle, 3.5));
     }
     let words = if several { "median" } else { "the motion" };
     legend.push(Entry::line(colour, 2.4, None, words));
@@ -75,7 +74,7 @@ pub(super) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
         .collect();
     if let Some(CodeParts { clause, .. }) = picture.code {
         let colour = curve_style(1).colour;
-        plots.push(line(&code, colour, 2.0, Some(CODE_DASH)));
+        marks.push(line(&code, colour, 2.0, Some(CODE_DASH)));
         legend.push(Entry::line(colour, 2.0, Some(CODE_DASH), *clause));
     }
     let largest = curves
@@ -98,7 +97,7 @@ pub(super) fn floor_profile(name: &str, picture: &ProfilePicture<'_>) -> Page {
         name: name.to_owned(),
         title: "Peak floor accelerations".to_owned(),
         caption: caption(picture, &median),
-        panels: vec![Panel { plots, layout }],
+        panels: vec![Panel { marks, layout }],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,

@@ -1,8 +1,8 @@
 //! One motion: acceleration, velocity, displacement, and the build-up of its energy.
 
 use freestand::G0_M_S2;
+use freestand_output::figure::mark::MarkerShape;
 use freestand_study::inspect::{Contents, MotionInfo};
-use kuva::plot::scatter::MarkerShape;
 use kuva::render::annotations::{ReferenceLine, ShadedRegion};
 
 use freestand::measures::{Integrals, husid, integrals, significant_span_s};
@@ -123,7 +123,7 @@ fn history(
     let mut layout = stacked_with_title(x, y, false, title).with_shaded_region(shade(span_s));
     layout.y_tick_format = y_ticks;
     Panel {
-        plots: vec![curve, mark],
+        marks: vec![curve, mark],
         layout,
     }
 }
@@ -182,7 +182,7 @@ fn energy_panel(percents: &[f64], dt_s: f64, span_s: (f64, f64), x: Axis) -> Pan
             layout.with_reference_line(rule(ReferenceLine::horizontal(share), DARK, 0.8, "2 3"));
     }
     Panel {
-        plots: vec![curve],
+        marks: vec![curve],
         layout,
     }
 }

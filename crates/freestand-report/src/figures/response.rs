@@ -1,10 +1,8 @@
 //! Uplift, shock and overturning against height, as in the paper's Fig. 7.
 
-use kuva::plot::BandPlot;
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::{Mark, MarkerShape};
 use kuva::render::annotations::{ShadedRegion, TextAnnotation};
 use kuva::render::layout::TickFormat;
-use kuva::render::plots::Plot;
 
 use freestand_input::words::number;
 use freestand_study::cushion::cushion_words;
@@ -15,8 +13,8 @@ use super::kind::FigureKind;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, columns};
 use freestand_output::figure::style::{
-    Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, curve_style, line,
-    markers, plain,
+    Axis, BAND_OPACITY, CurveStyle, DARK, LABELS_PX, TEXT_PX, TITLE_PX, axes, band, curve_style,
+    line, markers, plain,
 };
 
 /// Height of a panel \[px\].
@@ -83,7 +81,7 @@ pub(super) fn srs(study: &Study, result: &StudyResult) -> Page {
 /// Share of the motions that overturn.
 pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
     let panels = result.levels.iter().map(|level| {
-        let mut plots = Vec::new();
+        let mut marks = Vec::new();
         for (index, &thickness_m) in thicknesses(study).iter().enumerate() {
             let style = curve_style(index);
             let points: Vec<(f64, f64)> = objects(level, thickness_m)
@@ -91,19 +89,19 @@ pub(super) fn overturning(study: &Study, result: &StudyResult) -> Page {
                 .filter(|s| s.motions > 0)
                 .map(|s| (s.height_m, s.overturned_share))
                 .collect();
-            plots.push(line(&points, style.colour, 2.0, style.dash));
+            marks.push(line(&points, style.colour, 2.0, style.dash));
             let marked: Vec<_> = some_of(&points, index)
                 .into_iter()
                 .filter(|p| p.1 > 0.0)
                 .collect();
-            plots.push(markers(&marked, style.colour, style.marker, 3.5));
+            marks.push(markers(&marked, style.colour, style.marker, 3.5));
         }
         let y = Axis {
             step: Some(0.2),
             ..Axis::between(-0.02, 1.04, "Share of motions")
         };
         let layout = axes(height_axis(study), y).with_title(plain(&level.level.name));
-        Panel { plots, layout }
+        Panel { marks, layout }
     });
     let panels: Vec<Panel> = panels.collect();
     let (columns, row_heights_px) = grid(panels.len(), 0.85 * PANEL_PX);
@@ -230,28 +228,23 @@ fn level_panel(study: &Study, level: &LevelResult, quantity: Quantity, y_label: 
         .filter(|c| c.iter().any(|p| p.ranked[1] == Ranked::Overturned))
         .count();
 
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     if bands {
         curves
             .iter()
             .enumerate()
-            .for_each(|(i, curve)| plots.extend(band(curve, curve_style(i))));
+            .for_each(|(i, curve)| marks.extend(bands_of(curve, curve_style(i))));
     }
     for (i, curve) in curves.iter().enumerate() {
-        plots.extend(ceiling(curve, y.to, curve_style(i)));
+        marks.extend(ceiling(curve, y.to, curve_style(i)));
     }
     for (i, curve) in curves.iter().enumerate() {
-        plots.extend(median(curve, i));
+        marks.extend(median(curve, i));
     }
-    let top = y.to;
     let (strip, layout) = strip(&curves, fallen, with_keys(height_axis(study)), y);
-    plots.extend(strip);
-    if plots.is_empty() {
-        // The library leaves out the axes of a panel without plots.
-        plots.push(line(&[(0.0, -top), (1.0, -top)], DARK, 1.0, None));
-    }
+    marks.extend(strip);
     Panel {
-        plots,
+        marks,
         layout: layout.with_title(plain(&level.level.name)),
     }
 }
@@ -262,7 +255,7 @@ fn strip(
     fallen: usize,
     x: Axis,
     y: Axis,
-) -> (Vec<Plot>, kuva::render::layout::Layout) {
+) -> (Vec<Mark>, kuva::render::layout::Layout) {
     let data_top = y.to;
     if fallen == 0 {
         return (
@@ -279,7 +272,7 @@ fn strip(
     let strip_px = STRIP_TITLE_PX + STRIP_ROW_PX * fallen as f64;
     let top = data_top * INSIDE_PX / (INSIDE_PX - strip_px).max(0.3 * INSIDE_PX);
     let per_px = (top - data_top) / strip_px;
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     let mut row = 0.0;
     for (i, curve) in curves.iter().enumerate() {
         let y = top - per_px * (STRIP_TITLE_PX + STRIP_ROW_PX * (row + 0.4));
@@ -290,9 +283,9 @@ fn strip(
             .collect();
         if !crosses.is_empty() {
             let style = curve_style(i);
-            plots.push(markers(&crosses, style.colour, MarkerShape::Cross, 3.2));
+            marks.push(markers(&crosses, style.colour, MarkerShape::Cross, 3.2));
             // The curve's own marker, left of all data, says whose row it is.
-            plots.push(markers(
+            marks.push(markers(
                 &[(x.from + 0.5 * KEYS_SHARE * (x.to - x.from), y)],
                 style.colour,
                 style.marker,
@@ -315,7 +308,7 @@ fn strip(
                 .with_color(DARK),
         );
     layout.y_tick_format = ticks_up_to(data_top);
-    (plots, layout)
+    (marks, layout)
 }
 
 /// Share of the axis left of all data, for the keys of the strip.
@@ -354,28 +347,18 @@ fn runs<T>(curve: &[Point], pick: impl Fn(&Point) -> Option<T>) -> Vec<Vec<T>> {
     runs
 }
 
-fn band(curve: &[Point], style: CurveStyle) -> Vec<Plot> {
+fn bands_of(curve: &[Point], style: CurveStyle) -> Vec<Mark> {
     runs(curve, |p| {
         Some((p.height_m, value(p.ranked[0])?, value(p.ranked[2])?))
     })
     .into_iter()
     .filter(|run| run.len() > 1 && run.iter().any(|&(_, low, high)| high > low))
-    .map(|run| {
-        let (x, low, high) = (
-            run.iter().map(|p| p.0),
-            run.iter().map(|p| p.1),
-            run.iter().map(|p| p.2),
-        );
-        BandPlot::new(x, low, high)
-            .with_color(style.colour)
-            .with_opacity(BAND_OPACITY)
-            .into()
-    })
+    .map(|run| band(run, style.colour, BAND_OPACITY))
     .collect()
 }
 
 /// The part of the ceiling inside the axes, and one point outside, which is clipped.
-fn ceiling(curve: &[Point], top: f64, style: CurveStyle) -> Vec<Plot> {
+fn ceiling(curve: &[Point], top: f64, style: CurveStyle) -> Vec<Mark> {
     let points: Vec<(f64, f64)> = curve
         .iter()
         .filter_map(|p| Some((p.height_m, p.ceiling?)))
@@ -406,9 +389,9 @@ fn ceiling(curve: &[Point], top: f64, style: CurveStyle) -> Vec<Plot> {
     }
 }
 
-fn median(curve: &[Point], index: usize) -> Vec<Plot> {
+fn median(curve: &[Point], index: usize) -> Vec<Mark> {
     let style = curve_style(index);
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     for run in runs(curve, |p| Some((p.height_m, value(p.ranked[1])?))) {
         // Where objects do not uplift, the curves coincide, and their markers would hide each
         // other.
@@ -422,10 +405,10 @@ fn median(curve: &[Point], index: usize) -> Vec<Plot> {
         {
             marked.push(end);
         }
-        plots.push(line(&run, style.colour, 2.0, style.dash));
-        plots.push(markers(&marked, style.colour, style.marker, 3.5));
+        marks.push(line(&run, style.colour, 2.0, style.dash));
+        marks.push(markers(&marked, style.colour, style.marker, 3.5));
     }
-    plots
+    marks
 }
 
 /// A few points of a curve for its marker, at other heights than those of its neighbours.

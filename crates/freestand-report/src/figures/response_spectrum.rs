@@ -1,7 +1,7 @@
 //! Response spectra of one motion at one or several dampings.
 
+use freestand_output::figure::mark::Mark;
 use freestand_study::inspect::SpectrumReport;
-use kuva::render::plots::Plot;
 
 use freestand_input::quantity::shorten;
 use freestand_input::words::number;
@@ -100,7 +100,7 @@ fn panel(
         .copied()
         .fold(0.0, f64::max);
     let (factor, unit) = readable(highest, units);
-    let plots: Vec<Plot> = spectra
+    let marks: Vec<Mark> = spectra
         .iter()
         .enumerate()
         .flat_map(|(i, spectrum)| {
@@ -115,17 +115,17 @@ fn panel(
                 .map(|(t, value)| (t.exp(), value))
                 .collect();
             let style = curve_style(i);
-            let mut plots = vec![line(&curve, style.colour, 2.0, style.dash)];
+            let mut marks = vec![line(&curve, style.colour, 2.0, style.dash)];
             if curve.len() <= MARKED_PERIODS {
-                plots.push(markers(&curve, style.colour, style.marker, 3.5));
+                marks.push(markers(&curve, style.colour, style.marker, 3.5));
             }
-            plots
+            marks
         })
         .collect();
     let y = Axis::from_zero(1.02 * factor * highest, &format!("{name} ({unit})"));
     let top = y.to;
     let layout = over_periods(stacked(x, y, lowest), top);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 /// The spectra as a figure.

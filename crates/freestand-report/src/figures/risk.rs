@@ -1,6 +1,6 @@
 //! What all objects lose together, and what a budget is worth.
 
-use kuva::plot::scatter::MarkerShape;
+use freestand_output::figure::mark::MarkerShape;
 
 use freestand::risk::LossPoint;
 use freestand_output::figure::legend::{Entry, Sign};
@@ -156,7 +156,7 @@ fn losses(portfolio: &Portfolio, currency: &str) -> Panel {
         line(&stairs(curve, to, factor), style.colour, 2.0, style.dash)
     };
     Panel {
-        plots: vec![of(&portfolio.independent, 1), of(&portfolio.curve, 0)],
+        marks: vec![of(&portfolio.independent, 1), of(&portfolio.curve, 0)],
         layout,
     }
 }
@@ -193,11 +193,11 @@ fn frontier(plan: &Chosen, currency: &str) -> Panel {
     let mut layout = axes(x, y).with_title("Budgets");
     layout.x_tick_format = plain_ticks(right);
     layout.y_tick_format = plain_ticks(top);
-    let plots = vec![
+    let marks = vec![
         line(&drawn, style.colour, 2.0, style.dash),
         markers(&here, own.colour, MarkerShape::Circle, 6.0),
     ];
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 #[cfg(test)]

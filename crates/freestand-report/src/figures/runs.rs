@@ -6,12 +6,12 @@ use freestand::fragility::{LimitState, OutcomeClass, line_through};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, significant};
 use freestand_output::figure::legend::{Entry, Sign};
+use freestand_output::figure::mark::{Mark, MarkerShape};
 use freestand_output::figure::page::{Page, Panel, columns, draw};
 use freestand_output::figure::style::{
     Axis, DARK, GREY, axes, curve_style, hollow, line, markers, plain, plain_ticks,
 };
 use freestand_output::figure::{Figure, FigureError};
-use kuva::plot::scatter::MarkerShape;
 use kuva::render::layout::TickFormat;
 
 use super::fragility::place;
@@ -131,7 +131,7 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
         label: "Rotation over α".to_owned(),
     };
     let to = x.to;
-    let (mut plots, mut firsts) = (Vec::new(), Vec::new());
+    let (mut marks, mut firsts) = (Vec::new(), Vec::new());
     for runs in report.intensities(one, measure, at) {
         let mut points = Vec::new();
         for (x, run) in runs.iter().filter(|(x, _)| *x <= to) {
@@ -143,25 +143,25 @@ fn rotations(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) ->
             }
             points.extend(of_run.rotation_ratio.map(|ratio| (*x, ratio)));
         }
-        plots.push(line(&points, curve_style(0).colour, 0.8, None));
+        marks.push(line(&points, curve_style(0).colour, 0.8, None));
     }
-    plots.extend(hollow(
+    marks.extend(hollow(
         &firsts,
         curve_style(1).colour,
         curve_style(1).marker,
         3.6,
     ));
     if let Some(limit) = report.request.rotation_ratio {
-        plots.push(line(&[(0.0, limit), (to, limit)], DARK, 1.2, Some("4 5")));
+        marks.push(line(&[(0.0, limit), (to, limit)], DARK, 1.2, Some("4 5")));
     }
-    panel(plots, x, y, &one.id)
+    panel(marks, x, y, &one.id)
 }
 
 fn shocks(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Panel {
     let x = intensity_axis(report, one, measure, at);
     let to = x.to;
     let ceiling_g = one.nominal.ceiling_g();
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     let mut most = ceiling_g.unwrap_or(0.0);
     for runs in report.intensities(one, measure, at) {
         let upright = runs
@@ -171,10 +171,10 @@ fn shocks(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Pa
             .filter_map(|(x, run)| Some((*x, run.run()?.edge_acceleration_g?)))
             .collect();
         most = points.iter().map(|point| point.1).fold(most, f64::max);
-        plots.push(line(&points, curve_style(0).colour, 0.8, None));
+        marks.push(line(&points, curve_style(0).colour, 0.8, None));
     }
     if let Some(ceiling_g) = ceiling_g {
-        plots.push(line(
+        marks.push(line(
             &[(0.0, ceiling_g), (to, ceiling_g)],
             DARK,
             1.4,
@@ -182,18 +182,18 @@ fn shocks(report: &RunsReport, one: &ObjectRuns, measure: Measure, at: At) -> Pa
         ));
     }
     panel(
-        plots,
+        marks,
         x,
         Axis::from_zero(1.05 * most, "Shock of the edge (g)"),
         &one.id,
     )
 }
 
-fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis, id: &str) -> Panel {
+fn panel(marks: Vec<Mark>, x: Axis, y: Axis, id: &str) -> Panel {
     let span = x.to;
     let mut layout = axes(x, y).with_title(plain(&shorten(id)));
     layout.x_tick_format = plain_ticks(span);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 /// Efficiency and proficiency of every measure.
@@ -213,7 +213,7 @@ pub fn measures_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let mut panels = Vec::new();
     let mut states: Vec<LimitState> = Vec::new();
     for i in 0..shown {
-        let mut plots = Vec::new();
+        let mut marks = Vec::new();
         let mut most = 0.0_f64;
         for state in LimitState::ALL {
             let of = |report: &FragilityReport| {
@@ -237,7 +237,7 @@ pub fn measures_figure(report: &RunsReport) -> Result<Figure, FigureError> {
             states.push(state);
             most = points.iter().map(|point| point.1).fold(most, f64::max);
             let style = curve_style(place(state));
-            plots.extend(hollow(&points, style.colour, style.marker, 5.0));
+            marks.extend(hollow(&points, style.colour, style.marker, 5.0));
         }
         let x = Axis {
             from: 0.4,
@@ -257,7 +257,7 @@ pub fn measures_figure(report: &RunsReport) -> Result<Figure, FigureError> {
                 String::new()
             }
         }));
-        panels.push(Panel { plots, layout });
+        panels.push(Panel { marks, layout });
     }
     states.sort_unstable();
     states.dedup();
@@ -352,21 +352,21 @@ fn residual_panel(points: &[(f64, f64)], label: &str, title: &str) -> Panel {
         Axis::around(y_from.min(-0.1), y_to.max(0.1), "Residual of ln"),
     );
     let span = x.to - x.from;
-    let mut plots = vec![line(&[(x.from, 0.0), (x.to, 0.0)], GREY, 1.0, None)];
+    let mut marks = vec![line(&[(x.from, 0.0), (x.to, 0.0)], GREY, 1.0, None)];
     if let Some(found) = line_through(points) {
         // Straight in the logarithm.
         let at = |i: usize| x_from * (x_to / x_from).powf(i as f64 / 40.0);
         let trend: Vec<(f64, f64)> = (0..=40)
             .map(|i| (at(i), found.intercept + found.slope * at(i).ln()))
             .collect();
-        plots.push(line(
+        marks.push(line(
             &trend,
             curve_style(1).colour,
             1.6,
             curve_style(1).dash,
         ));
     }
-    plots.push(markers(
+    marks.push(markers(
         &real,
         curve_style(0).colour,
         MarkerShape::Circle,
@@ -374,5 +374,5 @@ fn residual_panel(points: &[(f64, f64)], label: &str, title: &str) -> Panel {
     ));
     let mut layout = axes(x, y).with_title(plain(title));
     layout.x_tick_format = plain_ticks(span);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }

@@ -4,9 +4,9 @@ use freestand::G0_M_S2;
 use freestand::damage_boundary::KNEE_RATIO;
 use freestand::shock_response::ResponseKind;
 use freestand_input::words::number;
+use freestand_output::figure::mark::{Mark, MarkerShape};
 use freestand_study::shock::{BoundaryTests, DamageBoundaryReport};
 use freestand_study::shock_spectrum::ShockSpectrumReport;
-use kuva::plot::scatter::MarkerShape;
 
 use freestand_input::quantity::shorten;
 use freestand_output::figure::legend::{Entry, Sign};
@@ -65,11 +65,11 @@ fn decades(values: impl Iterator<Item = f64>, label: &str) -> Axis {
     Axis::between(10f64.powf(from), 10f64.powf(to), label)
 }
 
-fn panel(plots: Vec<kuva::render::plots::Plot>, x: Axis, y: Axis) -> Panel {
+fn panel(marks: Vec<Mark>, x: Axis, y: Axis) -> Panel {
     let mut layout = axes(x, y).with_log_scale().with_force_margins(76.0, 18.0);
     layout.x_tick_format = plain_ticks(0.0);
     layout.y_tick_format = plain_ticks(0.0);
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
 
 /// Draws shock response spectra over frequency; `label` is that of the values, with their unit.
@@ -98,7 +98,7 @@ pub(super) fn shock_spectrum_figure(
         };
         Axis::between(from, to, "Frequency of the component (Hz)")
     };
-    let mut plots = Vec::new();
+    let mut marks = Vec::new();
     let mut legend = Vec::new();
     for (i, curve) in curves.iter().enumerate() {
         let style = curve_style(i);
@@ -109,9 +109,9 @@ pub(super) fn shock_spectrum_figure(
             .filter(|p| p.1 >= y.from)
             .collect();
         points.sort_by(|a, b| a.0.total_cmp(&b.0));
-        plots.push(line(&points, style.colour, 2.0, style.dash));
+        marks.push(line(&points, style.colour, 2.0, style.dash));
         if points.len() <= MAX_NAMED {
-            plots.push(markers(&points, style.colour, style.marker, 3.5));
+            marks.push(markers(&points, style.colour, style.marker, 3.5));
         }
         if i < MAX_NAMED {
             legend.push(Entry::line(
@@ -130,7 +130,7 @@ pub(super) fn shock_spectrum_figure(
         name: "shock_spectrum".to_owned(),
         title: plain(title),
         caption: format!("{label} of damped oscillators under the shock, against their frequency."),
-        panels: vec![panel(plots, x, y)],
+        panels: vec![panel(marks, x, y)],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,
@@ -165,13 +165,13 @@ pub(super) fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure
     curve.push((x.to, a_c));
     let (rectangle, exact) = (curve_style(0), curve_style(1));
     let tested = curve_style(2);
-    let mut plots = vec![
+    let mut marks = vec![
         line(&corner, rectangle.colour, 2.0, None),
         line(&curve, exact.colour, 2.0, Some("10 6")),
     ];
     let mut shocks = Vec::new();
     if !picture.survived.is_empty() {
-        plots.extend(hollow(
+        marks.extend(hollow(
             &picture.survived,
             tested.colour,
             MarkerShape::Square,
@@ -180,7 +180,7 @@ pub(super) fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure
         shocks.push((false, "survived in the tests"));
     }
     if !picture.damaged.is_empty() {
-        plots.push(markers(
+        marks.push(markers(
             &picture.damaged,
             tested.colour,
             MarkerShape::Square,
@@ -197,7 +197,7 @@ pub(super) fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure
     } else {
         (MarkerShape::Cross, Sign::Cross, "this landing: damage")
     };
-    plots.push(markers(&[(v, a)], DARK, shape, 6.0));
+    marks.push(markers(&[(v, a)], DARK, shape, 6.0));
     let mut legend = vec![
         Entry::line(rectangle.colour, 2.0, None, "rectangle of ASTM D3332"),
         Entry::line(exact.colour, 2.0, Some("10 6"), "curve of a component"),
@@ -220,7 +220,7 @@ pub(super) fn damage_boundary_figure(picture: &BoundaryPicture) -> Result<Figure
                   component under rectangular pulses, which begins at the same velocity change and ends at the same \
                   peak."
             .to_owned(),
-        panels: vec![panel(plots, x, y)],
+        panels: vec![panel(marks, x, y)],
         columns: 1,
         row_heights_px: vec![PANEL_PX],
         legend,

@@ -148,7 +148,7 @@ fn figure_of(
         ),
         panels: vec![
             Panel {
-                plots: curves
+                marks: curves
                     .slides
                     .iter()
                     .enumerate()
@@ -175,7 +175,7 @@ fn accels_panel(accels: &[Vec<(f64, f64)>], x: Axis) -> Panel {
         .iter()
         .fold(0.0, |most: f64, accel| most.max(peak(accel)));
     Panel {
-        plots: accels
+        marks: accels
             .iter()
             .enumerate()
             .map(|(at, accel)| line(accel, curve_style(at).colour, 0.9, None))

@@ -1,9 +1,7 @@
 //! Figures of an object in space: its tilt against time and its base from above; and the rotations
 //! of a stack.
 
-use kuva::plot::BandPlot;
-use kuva::plot::scatter::MarkerShape;
-use kuva::render::plots::Plot;
+use freestand_output::figure::mark::{Mark, MarkerShape};
 
 use freestand::spatial::{Pattern, Shape};
 
@@ -14,7 +12,7 @@ use freestand_input::words::number;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::page::{Page, Panel, draw, panel_width_px};
 use freestand_output::figure::style::{
-    Axis, DARK, GREY, LABELS_PX, curve_style, line, markers, plain, round_step,
+    Axis, DARK, GREY, LABELS_PX, band, curve_style, line, markers, plain, round_step,
 };
 use freestand_output::figure::time::{peak, span, stacked, symmetric, thin, time_axis};
 use freestand_output::figure::{Figure, FigureError};
@@ -76,7 +74,7 @@ pub fn spatial_figure(motion: &str, report: &SpatialReport) -> Result<Option<Fig
     };
     let [before, after] = [&report.shape.feet_m(), &history.outline_m].map(|points| closed(points));
     let plan = Plan {
-        plots: vec![
+        marks: vec![
             line(&before, DARK, 1.0, Some("5 3")),
             line(&after, DARK, 1.4, None),
         ],
@@ -127,11 +125,11 @@ pub fn hull_figure(
         .filter(|_| body.kind != BodyKind::Cylinder);
     let colour = curve_style(4).colour;
     let of_weakest = weakest.map(|_| Entry::line(colour, 1.4, None, "towards the weakest side"));
-    let mut plots: Vec<Plot> = weakest
+    let mut marks: Vec<Mark> = weakest
         .iter()
         .map(|side| line(side, colour, 1.4, None))
         .collect();
-    plots.extend([
+    marks.extend([
         markers(&before, GREY, MarkerShape::Circle, 2.5),
         markers(&after, DARK, MarkerShape::Circle, 2.5),
     ]);
@@ -140,7 +138,7 @@ pub fn hull_figure(
         Entry::new(Sign::Dot { colour: DARK }, "contact points at the end"),
     ];
     let plan = Plan {
-        plots,
+        marks,
         reach: [before, after].concat(),
         legend: dots.into_iter().chain(of_weakest).collect(),
     };
@@ -168,7 +166,7 @@ struct Words {
 
 /// A base from above \[mm\].
 struct Plan {
-    plots: Vec<Plot>,
+    marks: Vec<Mark>,
     /// All of its points.
     reach: Vec<(f64, f64)>,
     legend: Vec<Entry>,
@@ -188,7 +186,7 @@ fn in_space(
     let tilts = [2, 0, 1].map(|part| degrees(&|p| p.tilts_rad[part]));
     let largest = tilts.iter().map(|tilt| peak(tilt)).fold(0.0, f64::max);
     let tilt = Panel {
-        plots: tilts
+        marks: tilts
             .iter()
             .enumerate()
             .map(|(index, points)| {
@@ -252,16 +250,16 @@ fn from_above(plan: Plan, path: &[(f64, f64)]) -> (Panel, Vec<Entry>) {
     let x = axis(left, right, wide_px, "To the right (mm)");
     let y = axis(front, back, high_px, "To the back (mm)");
     let end = path.last().copied().unwrap_or_default();
-    let mut plots = plan.plots;
-    plots.push(line(path, curve_style(3).colour, 1.2, None));
-    plots.push(markers(
+    let mut marks = plan.marks;
+    marks.push(line(path, curve_style(3).colour, 1.2, None));
+    marks.push(markers(
         &[end],
         curve_style(3).colour,
         MarkerShape::Circle,
         3.0,
     ));
     let panel = Panel {
-        plots,
+        marks,
         layout: stacked(x, y, true),
     };
     (panel, plan.legend)
@@ -285,7 +283,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
     let (lower, upper) = (&report.stack.lower, &report.stack.upper);
     let size = |body: &freestand::spatial::StackBody| size_words(body.thickness_m, body.height_m);
     let top = Panel {
-        plots: both
+        marks: both
             .iter()
             .enumerate()
             .map(|(i, points)| line(points, curve_style(i).colour, 1.5, None))
@@ -297,7 +295,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
         ),
     };
     let below = Panel {
-        plots: vec![line(&apart, curve_style(2).colour, 1.5, None)],
+        marks: vec![line(&apart, curve_style(2).colour, 1.5, None)],
         layout: stacked(
             time_axis(from, to),
             symmetric(peak(&apart), "Upper − lower (deg)"),
@@ -343,7 +341,7 @@ pub fn stack_figure(motion: &str, report: &StackReport) -> Result<Option<Figure>
 
 /// When a stack moves in which pattern: one row for each.
 fn patterns(history: &[StackPoint], x: Axis) -> Panel {
-    let band = |(row, (pattern, _, colour)): (usize, &(Pattern, &str, &str))| -> Plot {
+    let one = |(row, (pattern, _, colour)): (usize, &(Pattern, &str, &'static str))| -> Mark {
         let low = row as f64;
         let high = |point: &StackPoint| {
             if point.pattern == *pattern {
@@ -363,15 +361,7 @@ fn patterns(history: &[StackPoint], x: Axis) -> Panel {
             }
             steps.push((point.time_s, height));
         }
-        let times = steps.iter().map(|step| step.0);
-        BandPlot::new(
-            times,
-            steps.iter().map(|_| low),
-            steps.iter().map(|step| step.1),
-        )
-        .with_color(*colour)
-        .with_opacity(1.0)
-        .into()
+        band(steps.iter().map(|step| (step.0, low, step.1)), colour, 1.0)
     };
     let y = Axis {
         step: Some(1.0),
@@ -380,7 +370,7 @@ fn patterns(history: &[StackPoint], x: Axis) -> Panel {
     let mut layout = stacked(x, y, false);
     layout.suppress_y_ticks = true;
     Panel {
-        plots: PATTERNS.iter().enumerate().map(band).collect(),
+        marks: PATTERNS.iter().enumerate().map(one).collect(),
         layout,
     }
 }

@@ -133,7 +133,7 @@ fn panel(
         step: Some(step),
         ..Axis::between(step * from, step * to, label)
     };
-    let plots = curves
+    let marks = curves
         .iter()
         .enumerate()
         .map(|(index, points)| {
@@ -146,7 +146,7 @@ fn panel(
         })
         .collect();
     Panel {
-        plots,
+        marks,
         layout: stacked(x, y, lowest),
     }
 }

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use freestand_output::figure::mark::Mark;
 use kuva::render::annotations::ReferenceLine;
 use kuva::render::layout::TickFormat;
-use kuva::render::plots::Plot;
 
 use freestand_study::result::{Sensitivity, VariedLevel};
 
@@ -73,7 +73,7 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
     let count = variations.len();
     // The first variation at the top.
     let height = |index: usize| (count - index) as f64;
-    let mut plots: Vec<Plot> = Vec::new();
+    let mut marks: Vec<Mark> = Vec::new();
     for (index, value) in values.iter().enumerate() {
         let Some(value) = *value else { continue };
         // One colour and marker for each key, which makes its values a group.
@@ -86,14 +86,14 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
             );
         let style = curve_style(key);
         if let Some(base) = base {
-            plots.push(line(
+            marks.push(line(
                 &[(base, height(index)), (value, height(index))],
                 style.colour,
                 1.4,
                 None,
             ));
         }
-        plots.push(markers(
+        marks.push(markers(
             &[(value, height(index))],
             style.colour,
             style.marker,
@@ -106,9 +106,6 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
         .chain(base.iter())
         .copied()
         .fold(0.0, f64::max);
-    if plots.is_empty() {
-        plots.push(line(&[], DARK, 1.0, None));
-    }
     let y = Axis {
         step: Some(1.0),
         ..Axis::between(0.4, count as f64 + 0.6, "")
@@ -126,5 +123,5 @@ fn panel(level: &str, rows: &[&VariedLevel], (quantity, label): Quantity) -> Pan
     if let Some(base) = base {
         layout = layout.with_reference_line(rule(ReferenceLine::vertical(base), DARK, 1.2, "5 4"));
     }
-    Panel { plots, layout }
+    Panel { marks, layout }
 }
