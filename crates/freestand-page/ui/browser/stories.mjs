@@ -836,6 +836,31 @@ await story('a list is mended, assessed, filtered and opened', {}, async (page) 
   assert.equal(await page.inputValue('#filter'), '', 'the list is as it was left');
 });
 
+await story('a list with a budget: its plan and what this assumes', { long: true }, async (page) => {
+  const rated = 'id,item,floor,height,thickness,mass,wall gap,life safety\nA-1,cabinet,1,1.8 m,0.4 m,150 kg,50 mm,\nA-2,shelf,roof,2.1 m,0.3 m,80 kg,50 mm,high\n';
+  writeFileSync(join(folder, 'rated.csv'), rated);
+  writeFileSync(join(folder, 'shaken.toml'), study.replace('Melbourne', 'Wellington'));
+  await page.click('#tab-inventory');
+  await page.setInputFiles('#drop-inventory', [join(folder, 'rated.csv'), join(folder, 'shaken.toml')]);
+  await page.waitForSelector('#assess', PATIENT);
+  await page.fill('#inventory-budget', '12 000 NZD');
+  await page.click('#on-report summary');
+  await page.fill('#inventory-preparer', 'A. Planner');
+  await page.click('#assess');
+  await page.waitForSelector('#plan', LONG);
+  // The sentences are the program's own, as in the report.
+  const text = await page.textContent('#plan');
+  assert.match(text, /The plan restrains \d+ objects? for .* NZD; the budget is 12.000 NZD\. Life safety comes first/);
+  assert.ok((await page.$$('#plan tbody tr')).length > 0);
+  await page.click('#plan details summary');
+  assert.ok((await page.$$('#plan details li')).length > 2);
+  await accessible(page, 'plan');
+  await fits(page);
+  await picture(page, 'inventory-plan');
+  const report = await Promise.all([page.waitForEvent('download'), page.click('text="report.html"')]).then(([saved]) => saved.path());
+  assert.match(readFileSync(report, 'utf8'), /A\. Planner/);
+});
+
 await story('a study that names its list, dropped in any order', {}, async (page) => {
   writeFileSync(join(folder, 'names.toml'), `${study}[assessment]\ninventory = "list.csv"\n`);
   await page.click('#tab-inventory');
