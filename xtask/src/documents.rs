@@ -84,7 +84,12 @@ pub fn check(root: &Path) -> Result<(), String> {
 fn readmes(root: &Path, folder: &Path) -> Result<Vec<String>, String> {
     let mut found = Vec::new();
     for path in site::files_of(&root.join(folder))? {
-        let inside = folder.join(path.file_name().unwrap_or_default());
+        let name = path.file_name().unwrap_or_default();
+        let inside = folder.join(name);
+        // An environment of Python beside a script has documents of others.
+        if name.to_string_lossy().starts_with('.') {
+            continue;
+        }
         if path.is_dir() {
             found.extend(readmes(root, &inside)?);
         } else if inside.ends_with("README.md") {

@@ -170,6 +170,8 @@ fn pack(wheel: &Path) -> zip::result::ZipResult<()> {
         std::io::copy(&mut file, &mut write)?;
     }
     write.finish()?;
+    // Windows does not replace a file that is open.
+    drop(read);
     std::fs::rename(packed, wheel)?;
     Ok(())
 }

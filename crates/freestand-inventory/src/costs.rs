@@ -204,15 +204,19 @@ fn in_one_currency(
 
 /// The number of a cell; an amount of money never has three decimals. Words such as "Mio" are not understood.
 fn amount(text: &str, unit: CostUnit) -> Option<f64> {
-    let is_money = matches!(unit, CostUnit::Money(_));
     let text = plain(text);
-    let bare = if is_money {
-        without_currency(&text).0
-    } else {
-        text.as_str()
-    };
-    let percent = bare.strip_suffix('%').filter(|_| !is_money);
-    let found = pieces(percent.unwrap_or(bare).trim());
+    if matches!(unit, CostUnit::Money(_)) {
+        return number_of(without_currency(&text).0, true);
+    }
+    match text.strip_suffix('%') {
+        Some(percent) => Some(number_of(percent.trim(), false)? / 100.0),
+        None => number_of(&text, false),
+    }
+}
+
+/// A number alone; one that may have three decimals or thousands has thousands if it is money.
+fn number_of(text: &str, is_money: bool) -> Option<f64> {
+    let found = pieces(text);
     let [Piece::Number(number)] = found.as_slice() else {
         return None;
     };
@@ -221,25 +225,21 @@ fn amount(text: &str, unit: CostUnit) -> Option<f64> {
         Number::Either { as_thousands, .. } if is_money => as_thousands,
         Number::Either { .. } | Number::Malformed => return None,
     };
-    let value = number
-        .parse::<f64>()
-        .ok()
-        .filter(|value| value.is_finite())?;
-    Some(if percent.is_some() {
-        value / 100.0
-    } else {
-        value
-    })
+    number.parse().ok().filter(|value: &f64| value.is_finite())
 }
 
 /// An amount of money with its currency as people write it: `15 000 NZD`, `$5000 NZD`, `€20.000`. `None`: it is not
 /// one, or it states no currency.
 pub fn money(text: &str) -> Option<(f64, String)> {
-    let text = plain(text).to_uppercase();
-    let (bare, currencies) = without_currency(&text);
-    let currency = match currencies {
-        [Some(sign), Some(own)] => Some(own).filter(|own| is_of(sign, own))?,
-        [before, after] => before.or(after)?,
+    let text = plain(text);
+    let upper = text.to_uppercase();
+    let (bare, currencies) = without_currency(&upper);
+    // A column of costs may be in what its owner calls a currency, such as kr.
+    let (number, word) = text.split_at(text.trim_end_matches(char::is_alphabetic).len());
+    let (bare, currency) = match currencies {
+        [Some(sign), Some(own)] => (bare, Some(own).filter(|own| is_of(sign, own))?),
+        [None, None] if word.chars().count() > 1 => (number.trim_end(), word),
+        [before, after] => (bare, before.or(after)?),
     };
     let decimals = bare
         .rsplit_once(['.', ','])
@@ -248,7 +248,7 @@ pub fn money(text: &str) -> Option<(f64, String)> {
     if is_cut || decimals.bytes().take_while(u8::is_ascii_digit).count() > 3 {
         return None;
     }
-    let number = amount(bare, CostUnit::Money("")).or_else(|| bare.parse().ok())?;
+    let number = number_of(bare, true).or_else(|| bare.parse().ok())?;
     Some((number, currency.to_owned())).filter(|(number, _)| number.is_finite())
 }
 

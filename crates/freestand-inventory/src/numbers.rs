@@ -258,8 +258,13 @@ pub(super) fn plain(text: &str) -> String {
         return text.trim().to_owned();
     }
     let mut out = String::with_capacity(text.len());
-    for c in text.trim().chars() {
+    let mut rest = text.trim().chars().peekable();
+    while let Some(c) = rest.next() {
+        let is_between = out.ends_with(|last: char| last.is_ascii_digit())
+            && rest.peek().is_some_and(char::is_ascii_digit);
         let c = match c {
+            // Two lines of a cell are two numbers, and never one with groups of digits.
+            '\n' | '\r' if is_between => '\n',
             '\u{ff01}'..='\u{ff5e}' => char::from_u32(c as u32 - 0xfee0).unwrap_or(c),
             '\u{3000}' | '\n' | '\r' | '\t' => ' ',
             '\u{2212}' => '-',

@@ -17,7 +17,8 @@ pub fn table(headings: &[&str], rows: &[Vec<String>]) -> String {
         .collect();
     let cell = |column: usize, text: &str| {
         let right = right.get(column).copied().unwrap_or(false);
-        Cell::new(text).set_alignment(if right {
+        // A cell of somebody's workbook must neither break a row nor tell a terminal what to do.
+        Cell::new(text.replace(char::is_control, " ")).set_alignment(if right {
             CellAlignment::Right
         } else {
             CellAlignment::Left
@@ -121,4 +122,13 @@ pub fn optional(value: Option<f64>, digits: usize, unit: &str) -> String {
                 .to_owned()
         },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_cell_has_no_control_characters() {
+        let text = super::table(&["id"], &[vec!["a\u{1b}[2J\nb".to_owned()]]);
+        assert_eq!(text, "id\na [2J b\n");
+    }
 }

@@ -289,13 +289,21 @@ fn check_unit(table: &Table, name: &str, units: &[&str]) -> Result<(), Problem> 
 /// Two currencies; every row with a number below 0, or with an id that is missing or appears twice.
 pub(crate) fn load_costs(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
     let bytes = load(path)?;
-    let file = InputFile::new(path, &bytes);
     if !list.is_given() && is_table(&bytes, path) {
         return Ok(Costs {
-            file,
+            file: InputFile::new(path, &bytes),
             ..read_costs(&bytes, path)?
         });
     }
+    costs_of_register(path, list)
+}
+
+/// Reads the costs of a list as people keep it.
+///
+/// # Errors
+/// Two currencies, or a list that cannot be read.
+pub(crate) fn costs_of_register(path: &Path, list: &CellsRequest) -> Result<Costs, Problems> {
+    let file = InputFile::new(path, &load(path)?);
     let found = costs_of_list(path, list)?;
     let row = |(item, amounts): (Item, Amounts)| {
         let [repair, replacement, downtime_days, downtime_cost] = [

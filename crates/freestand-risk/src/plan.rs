@@ -15,7 +15,7 @@ use super::request::RiskRequest;
 use crate::doubts::{Doubt, OpenOptions};
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
-use freestand_inventory::Rating;
+use freestand_inventory::{Rating, currency_code};
 
 /// Budgets of the frontier.
 const FRONTIER: u32 = 20;
@@ -190,7 +190,7 @@ pub(crate) fn measures(
     if let Some((_, other)) = request
         .budget
         .as_ref()
-        .filter(|(_, other)| other != currency)
+        .filter(|(_, other)| !currency_code(other).eq_ignore_ascii_case(currency_code(currency)))
     {
         let message = format!(
             "the budget is in {}, and the costs are in {currency}",

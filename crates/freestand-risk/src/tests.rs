@@ -27,6 +27,7 @@ fn a_space_before_the_unit_is_not_needed() {
         );
     }
     assert_eq!(aud("€20.000"), Ok((20e3, "€".to_owned())));
+    assert_eq!(aud("3000 kr"), Ok((3e3, "kr".to_owned())));
     for wrong in [
         "3000",
         "-1 AUD",
@@ -38,7 +39,9 @@ fn a_space_before_the_unit_is_not_needed() {
         "inf AUD",
         "é AUD",
         "15k AUD",
-        "20 credits",
+        "15 Tsd AUD",
+        "1.5 Mio AUD",
+        "2 CAD AUD",
         "€5 NZD",
     ] {
         assert!(amount(wrong).is_err(), "{wrong}");

@@ -4,7 +4,7 @@ use freestand_study::resolve::resolve;
 use super::*;
 use crate::restraint::factor::{Factor, FactorSource};
 use crate::result::reported_force;
-use crate::verdict::{Subject, restraint_of};
+use crate::verdict::forces_by_sizes;
 use freestand::code_spectrum::part_forces::Governing;
 use freestand_inventory::library::Lookup;
 use freestand_inventory::{ReadOptions, parse_inventory};
@@ -625,12 +625,7 @@ fn a_list_and_a_single_object_agree() {
         alone(2.3, (0.6, 0.9), 140.0, Some(1.3), "3", Some(1.5)),
     ];
     for (item, request) in items.iter().zip(singles) {
-        let subject = Subject::new(
-            item,
-            &freestand_study::study::assessment::Settings::default(),
-        )
-        .unwrap();
-        let forces = restraint_of(&study, item, &subject, None);
+        let forces = forces_by_sizes(&study, item);
         let listed = reported_force(&forces).unwrap();
         let report = restrain(request).unwrap();
         let numbers = [

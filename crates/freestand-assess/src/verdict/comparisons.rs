@@ -13,7 +13,7 @@ use freestand_inventory::{Item, Rating};
 use freestand_study::study::Study;
 
 use super::Context;
-use super::object::Subject;
+use super::object::{AxisGeometry, Sizes};
 use super::over_worlds::quantile;
 use super::response::lifts;
 use super::trial::Trial;
@@ -79,37 +79,46 @@ impl Context<'_> {
         // grows with their number.
         let pfa = trial.lived.iter().map(|one| one.pfa_m_s2 / G0_M_S2);
         let floor_g = quantile(pfa, 1.0 - member.accepted_ratio);
-        restraint_of(self.study, member.item, &trial.subject, Some(floor_g))
+        restraint_of(
+            self.study,
+            member.item,
+            trial.subject.level_ratio,
+            &trial.subject.axes,
+            Some(floor_g),
+        )
     }
 }
 
-/// The force of the study's own code for the restraint of an object that need not be restrained, whose assessment
-/// has none. `None`: the study has no code, or the mass is not given.
+/// The force \[N\] of the study's own code for the restraint of an object whose verdict is not to restrain it: its
+/// assessment has none. `None`: the study has no code, or the mass or what else the object needs is not given.
 pub fn code_force(study: &Study, item: &Item) -> Option<RestraintForce> {
-    let subject = Subject::new(item, &study.assessment).ok()?;
-    let forces = restraint_of(study, item, &subject, None);
-    reported_force(&forces).cloned()
+    reported_force(&forces_by_sizes(study, item)).cloned()
+}
+
+/// The forces for the restraint of an object that is not followed; none where its mass or a size is not given.
+pub(crate) fn forces_by_sizes(study: &Study, item: &Item) -> Vec<RestraintForce> {
+    Sizes::of(item).map_or_else(
+        |_| Vec::new(),
+        |sizes| restraint_of(study, item, sizes.level_ratio, &sizes.axes, None),
+    )
 }
 
 /// The forces for the restraint of an object of a list; none where its mass is not given.
-pub(crate) fn restraint_of(
+fn restraint_of(
     study: &Study,
     item: &Item,
-    subject: &Subject,
+    level_ratio: f64,
+    axes: &[AxisGeometry],
     floor_acceleration_g: Option<f64>,
 ) -> Vec<RestraintForce> {
     let Some(mass_kg) = item.mass_kg else {
         return Vec::new();
     };
-    let blocks: Vec<(Axis, Block)> = subject
-        .axes
-        .iter()
-        .map(|axis| (axis.axis, axis.block))
-        .collect();
+    let blocks: Vec<(Axis, Block)> = axes.iter().map(|axis| (axis.axis, axis.block)).collect();
     let is_critical = item.consequences.life_safety == Some(Rating::High);
     let object = HeldObject::new(
         mass_kg,
-        subject.level_ratio,
+        level_ratio,
         is_critical,
         Component::find(&item.item),
         &blocks,

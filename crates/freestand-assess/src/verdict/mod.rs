@@ -51,7 +51,7 @@ use freestand_study::study::assessment::{Questions, Settings};
 
 use trial::Trial;
 
-pub(crate) use comparisons::restraint_of;
+pub(crate) use comparisons::forces_by_sizes;
 pub use comparisons::{P58_BETA, P58_SHARE, code_force};
 pub use decision::deciding;
 pub use followed::{Follow, Shown, ShownEarthquake};

@@ -396,6 +396,59 @@ impl Gliding {
     }
 }
 
+/// Where an object stands, and its sizes.
+pub(crate) struct Sizes {
+    pub(super) level_ratio: f64,
+    height_m: f64,
+    thickness_m: f64,
+    /// The thickness comes first.
+    pub(super) axes: Vec<AxisGeometry>,
+}
+
+impl Sizes {
+    /// The sizes, or what is not known of them.
+    pub(crate) fn of(item: &Item) -> Result<Self, Vec<Missing>> {
+        // A size that nobody would believe is none until a person has confirmed it.
+        if !item.to_confirm.is_empty() {
+            return Err(vec![Missing::Confirmation]);
+        }
+        let sides = match &item.shape {
+            ItemShape::Unknown => return Err(vec![Missing::Shape]),
+            // Its symmetric block stands for it in the numbers of one plane.
+            ItemShape::Body(body) => [
+                (Axis::Thickness, Some(body.thickness_m()), None),
+                (Axis::Width, None, None),
+            ],
+            ItemShape::Block | ItemShape::Round => [
+                (Axis::Thickness, item.thickness_m, item.base_thickness_m),
+                (Axis::Width, item.width_m, item.base_width_m),
+            ],
+        };
+        let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
+            (item.level_ratio, item.height_m, item.thickness_m)
+        else {
+            return Err(unknown([
+                (item.level_ratio.is_some(), Missing::Level),
+                (item.height_m.is_some(), Missing::Height),
+                (item.thickness_m.is_some(), Missing::Thickness),
+            ]));
+        };
+        let mut axes = Vec::new();
+        for (axis, side_m, base_m) in sides {
+            let Some(side_m) = side_m else { continue };
+            // The reader of inventories has refused what is not a block.
+            let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
+            axes.push(geometry.ok_or_else(|| vec![Missing::Geometry])?);
+        }
+        Ok(Self {
+            level_ratio,
+            height_m,
+            thickness_m,
+            axes,
+        })
+    }
+}
+
 impl Subject {
     /// Whether it rocks: it neither rolls nor slides to a stop.
     pub(crate) fn rocks(&self) -> bool {
@@ -520,38 +573,12 @@ impl Subject {
 
     /// The object, or what is not known of it.
     pub(crate) fn new(item: &Item, settings: &Settings) -> Result<Self, Vec<Missing>> {
-        // A size that nobody would believe is none until a person has confirmed it.
-        if !item.to_confirm.is_empty() {
-            return Err(vec![Missing::Confirmation]);
-        }
-        let sides = match &item.shape {
-            ItemShape::Unknown => return Err(vec![Missing::Shape]),
-            // Its symmetric block stands for it in the numbers of one plane.
-            ItemShape::Body(body) => [
-                (Axis::Thickness, Some(body.thickness_m()), None),
-                (Axis::Width, None, None),
-            ],
-            ItemShape::Block | ItemShape::Round => [
-                (Axis::Thickness, item.thickness_m, item.base_thickness_m),
-                (Axis::Width, item.width_m, item.base_width_m),
-            ],
-        };
-        let (Some(level_ratio), Some(height_m), Some(thickness_m)) =
-            (item.level_ratio, item.height_m, item.thickness_m)
-        else {
-            return Err(unknown([
-                (item.level_ratio.is_some(), Missing::Level),
-                (item.height_m.is_some(), Missing::Height),
-                (item.thickness_m.is_some(), Missing::Thickness),
-            ]));
-        };
-        let mut axes = Vec::new();
-        for (axis, side_m, base_m) in sides {
-            let Some(side_m) = side_m else { continue };
-            // The reader of inventories has refused what is not a block.
-            let geometry = AxisGeometry::new(axis, height_m, side_m, base_m, item.cg_height_m);
-            axes.push(geometry.ok_or_else(|| vec![Missing::Geometry])?);
-        }
+        let Sizes {
+            level_ratio,
+            height_m,
+            thickness_m,
+            axes,
+        } = Sizes::of(item)?;
         let body = item
             .mass_kg
             .zip(item.cushion.as_ref())

@@ -274,9 +274,12 @@ impl Canvas {
         anchor: TextAnchor,
     ) -> Option<Path> {
         let scale = size_px / f32::from(self.font.units_per_em());
+        // The font's own glyph for what it lacks was emptied with its hints.
+        let lacking = self.font.glyph_index('□').unwrap_or(GlyphId(0));
         let glyphs = text
             .chars()
-            .map(|letter| self.font.glyph_index(letter).unwrap_or(GlyphId(0)));
+            .map(|letter| if letter.is_whitespace() { ' ' } else { letter })
+            .map(|letter| self.font.glyph_index(letter).unwrap_or(lacking));
         let advance = |glyph| scale * f32::from(self.font.glyph_hor_advance(glyph).unwrap_or(0));
         let width_px: f32 = glyphs.clone().map(advance).sum();
         let mut pen = Pen {
@@ -489,6 +492,22 @@ mod tests {
             let dark: Vec<u32> = (0..40).filter(|x| is_dark(*x)).collect();
             assert!(dark.contains(&x), "{anchor:?}: {dark:?}");
         }
+    }
+
+    #[test]
+    fn a_letter_that_the_font_lacks_is_a_box() {
+        let mut scene = Scene::new(40.0, 20.0);
+        scene.add(Primitive::Text {
+            x: 10.0,
+            y: 18.0,
+            content: "日".to_owned(),
+            size: 20,
+            anchor: TextAnchor::Start,
+            rotate: None,
+            bold: true,
+            color: Some("#000000".into()),
+        });
+        assert!((0..40).any(|x| pixel(&scene, x, 10) != [255; 3]));
     }
 
     #[test]

@@ -81,7 +81,7 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
     if plan.without_measure > 0 {
         let objects = counted(plan.without_measure as usize, "object");
         said.push(format!(
-            "Life safety without a calculated option: {objects}. Restrain all the same, for the force in the work list."
+            "Life safety without a calculated option that avoids falls: {objects}. Restrain all the same, for the force in the work list."
         ));
     }
     let planned = plan.planned().map(|row| row.quantity as usize).sum();

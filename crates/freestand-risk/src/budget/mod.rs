@@ -37,7 +37,7 @@ use freestand_study::run::Progress;
 use freestand_study::study::Study;
 use strum::IntoStaticStr;
 
-use crate::costs::{CostRow, load_costs};
+use crate::costs::{CostRow, costs_of_register};
 use crate::objects::LossBounds;
 use crate::plan::{Worth, is_for_people, spent_within};
 
@@ -133,7 +133,7 @@ impl Budget {
             );
             return Err(Problem::value(message, hint).of(&["budget"]).into());
         }
-        let costs = load_costs(list, &request.cells)?;
+        let costs = costs_of_register(list, &request.cells)?;
         if let Some(other) = costs.currency.as_deref().map(currency_code)
             && other != currency
         {
@@ -418,7 +418,7 @@ pub struct BudgetPlan {
     pub converted: Option<f64>,
     /// Life safety that the budget does not reach.
     pub unfunded: Unfunded,
-    /// Objects whose fall may hurt somebody and of which no measure has a calculated effect.
+    /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     pub without_measure: u32,
     /// Whether no plan is better.
     pub is_optimal: bool,
@@ -445,7 +445,7 @@ answer_of!(BudgetPlan as plan {
     has_annual_rates: bool = plan.has_rates;
     unfunded_life_safety_objects: usize = plan.unfunded.objects as usize;
     unfunded_life_safety_cost: f64 = plan.unfunded.cost;
-    /// Objects whose fall may hurt somebody and of which no measure has a calculated effect.
+    /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     life_safety_without_measure: usize = plan.without_measure as usize;
     is_optimal: bool = plan.is_optimal;
 });
@@ -722,7 +722,10 @@ impl Budget {
             let is_rated = own.clone().any(|(_, row)| {
                 row.life_safety.rating > Some(Rating::Low) && row.decision != Decision::Leave
             });
-            if is_rated && own.all(|(_, row)| row.effect.is_none()) {
+            let helps = |row: &PlanRow| {
+                row.effect.is_some() && row.standing != Standing::Out(NotPlanned::AvoidsNoFalls)
+            };
+            if is_rated && !own.any(|(_, row)| helps(row)) {
                 without_measure += quantity(object);
             }
         }
@@ -730,7 +733,8 @@ impl Budget {
             .iter()
             .filter(|(_, row)| row.is_planned())
             .map(|(_, row)| row.cost[1])
-            .sum();
+            // An empty sum is −0.
+            .fold(0.0, |sum, cost| sum + cost);
         // Stable: the measures of an object stay together.
         let ratio = |row: &PlanRow| {
             row.benefit

@@ -185,7 +185,7 @@ fn read_text(path: &Path) -> Result<String, Problem> {
         let message = "is a list or a record, not a study";
         return Err(Problem::value(
             message,
-            "a study is a TOML file; a list is the inventory of freestand assess, a record a motion",
+            "a study is a TOML file; a list is given as the inventory, and a record as a motion",
         )
         .in_file(path));
     }

@@ -204,7 +204,9 @@ pub fn longest(along: &[f64], across: &[f64]) -> f64 {
 }
 
 /// The length of the longest of the vectors whose components are the running integrals of these values, as
-/// [`cumulative_trapezoid`] gives them.
+/// [`cumulative_trapezoid`] gives them; 0 of fewer than two values.
+///
+/// **Units**: those of the values times s.
 ///
 /// # Example
 /// ```

@@ -237,7 +237,10 @@ fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) 
         ("Objects", pieces(&order.rows).to_string()),
         ("Work", hours(minutes(&order.rows))),
         (
-            "Cost of parts and work",
+            match order.rows.iter().all(|row| row.fitting.work.is_some()) {
+                true => "Cost of parts and work",
+                false => "Cost, without work that is not known",
+            },
             format!("{} {}", range(cost(&order.rows)), plan.currency),
         ),
         ("Date", title.date.clone().unwrap_or_default()),
@@ -342,7 +345,7 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
 
 const UNKNOWN_FORCE: &str = "unknown: no force of its restraint was calculated";
 
-/// What each anchor of a restraint carries, in words. The forces are those of the assessment.
+/// What each anchor of a restraint carries, in words: by the code or in the simulated earthquakes, whichever is more.
 fn each_anchor(row: &PlanRow) -> String {
     let object = &row.object;
     let units = object.units;
@@ -356,12 +359,19 @@ fn each_anchor(row: &PlanRow) -> String {
         return "unknown: the list of restraints does not say how many anchors share the force"
             .to_owned();
     };
+    let simulated_n = row.effect.as_ref().and_then(|effect| effect.force_n);
+    let larger = |by_code_n: f64, simulated_n: f64| match simulated_n > by_code_n {
+        true => (simulated_n, " (in the simulated earthquakes)"),
+        false => (by_code_n, ""),
+    };
     if row.kind == RestraintKind::BasePlate {
         let per_edge = (usize::from(count) / 2).max(1);
         let each = of_each_anchor(force, per_edge);
+        let simulated_n = simulated_n.unwrap_or(0.0) / per_edge as f64;
+        let (tension_n, whence) = larger(each.tension_concrete_n, simulated_n);
         return format!(
-            "of {per_edge} along each edge, in concrete: tension {}, shear {}",
-            tension(units, each.tension_concrete_n),
+            "of {per_edge} along each edge, in concrete: tension {}{whence}, shear {}",
+            tension(units, tension_n),
             units.force(each.shear_concrete_n)
         );
     }
@@ -369,9 +379,9 @@ fn each_anchor(row: &PlanRow) -> String {
         return "unknown: the height of the object is not known".to_owned();
     };
     let at_m = row.fitting.height_ratio * height_m;
-    let all_n = bracket_at(force, at_m);
+    let (all_n, whence) = larger(bracket_at(force, at_m), simulated_n.unwrap_or(0.0));
     format!(
-        "{} on each of {}, shared equally (assumed): {} in all at {}, outwards or along the wall",
+        "{} on each of {}, shared equally (assumed): {} in all{whence} at {}, outwards or along the wall",
         units.force(all_n / f64::from(count)),
         counted(count.into(), "anchor"),
         units.force(all_n),
@@ -414,7 +424,8 @@ fn simulated(row: &PlanRow) -> String {
                 _ => "",
             };
             format!(
-                "at most {} on the restraint, except in the accepted share of them; {capacity}{beyond}",
+                "at most {} on the restraint, except in the share of them that is accepted for the fall of this object; \
+                 {capacity}{beyond}",
                 units.force(force_n)
             )
         }

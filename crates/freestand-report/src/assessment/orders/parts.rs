@@ -199,6 +199,10 @@ pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
         return html + &paragraph("The plan restrains nothing: there is nothing to buy.") + CLOSING;
     }
     let head = |text: &str| figure(format!("{text} ({})", plan.currency));
+    let all = match parts.iter().all(|part| part.row.fitting.work.is_some()) {
+        true => "parts and work",
+        false => "parts, and work that is known",
+    };
     let headings = vec![
         words("restraint"),
         words("what it is"),
@@ -206,7 +210,7 @@ pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
         figure("anchors"),
         head("parts"),
         figure("work"),
-        head("parts and work"),
+        head(all),
         words("price"),
     ];
     let row = |part: &Part| -> Vec<Cell> {

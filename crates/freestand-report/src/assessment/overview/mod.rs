@@ -132,9 +132,10 @@ pub(super) struct Overview {
     pub tasks: BTreeMap<usize, Task>,
     /// Objects for which something has to be done.
     pub to_do: usize,
-    /// Values quoted from memory on which what has to be done rests, or which are shown; of more than [`MAX_RECALLED`],
-    /// the last says that there are others.
+    /// Values quoted from memory on which what has to be done rests, or which are shown; at most [`MAX_RECALLED`].
     pub recalled: BTreeSet<String>,
+    /// Whether there are others.
+    pub has_more_recalled: bool,
     floors: BTreeMap<FloorKey, FloorCounts>,
     others: Option<FloorCounts>,
     most_urgent: usize,
@@ -167,6 +168,7 @@ impl Overview {
             tasks: BTreeMap::new(),
             to_do: 0,
             recalled: BTreeSet::new(),
+            has_more_recalled: false,
             floors: BTreeMap::new(),
             others: None,
             most_urgent,
@@ -219,7 +221,7 @@ impl Overview {
             if self.recalled.len() < MAX_RECALLED {
                 self.recalled.insert(one);
             } else if !self.recalled.contains(&one) {
-                self.recalled.insert("~ and others".to_owned());
+                self.has_more_recalled = true;
             }
         }
     }

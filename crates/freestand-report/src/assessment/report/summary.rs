@@ -169,7 +169,9 @@ fn recalled(head: &Head, overview: &Overview, wanted: Wanted) -> Vec<String> {
     let mut found = overview.recalled.clone();
     found.extend(orders::recalled(planned));
     found.extend(head.recalled_place.iter().cloned());
-    found.into_iter().collect()
+    let more = "others, which are too many to name".to_owned();
+    let more = overview.has_more_recalled.then_some(more);
+    found.into_iter().chain(more).collect()
 }
 
 /// Date, preparer, revision and signature; what is not stated is a line to fill in. A draft has no signature.
