@@ -36,7 +36,7 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
         );
     }
     let lacks_plan = wanted.lacks_plan.then(|| {
-        "PARTIAL: the run was stopped before its plan within the budget was made. With --resume it goes on.".to_owned()
+        "PARTIAL: the run was stopped before its plan within the budget was made. A run that is resumed makes it.".to_owned()
     });
     for partial in overview.partial().into_iter().chain(lacks_plan) {
         let _ = writeln!(
