@@ -201,7 +201,8 @@ fn sources(folder: &Path, found: &mut Vec<String>) {
         if path.is_dir() {
             sources(&path, found);
         } else {
-            found.push(std::fs::read_to_string(path).unwrap());
+            // A font is no source.
+            found.extend(String::from_utf8(std::fs::read(path).unwrap()));
         }
     }
 }

@@ -527,6 +527,6 @@ mod tests {
         for path in ["M1 2 C3 4 5 6 7 8", "M1", "L1 2 3", "Mx y"] {
             assert!(drawn(path).is_err(), "{path}");
         }
-        assert!(paint(&"var(--ink)".into(), None).is_err());
+        assert!(paint(&"a hue".into(), None).is_err());
     }
 }
