@@ -68,11 +68,11 @@ fn cells(out: &Path, id: &str, names: &[&str]) -> Vec<String> {
         .collect()
 }
 
-/// Stopped at several places of its effort, again and again: no world is lived twice, what was lived is in the
-/// outputs, and the bytes at the end are those of a run that was never stopped.
+/// Stopped at several places of its effort, again and again: a stop loses the block of worlds that it is in and no other,
+/// what was lived is in the outputs, and the bytes at the end are those of a run that was never stopped.
 #[test]
 #[ignore = "a quarter of a minute: 80 worlds of five objects, twice"]
-fn every_world_is_kept() {
+fn every_finished_block_is_kept() {
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     let total = AtomicU64::new(0);
@@ -112,7 +112,12 @@ fn every_world_is_kept() {
     assert!(histories >= first, "{histories}");
     let report = run(&out, (STUDY, ROWS), true, Told::default(), &no_progress);
     assert_eq!((report.interrupted, report.unsettled), (false, 0));
-    assert_eq!(histories + report.histories, plain.histories);
+    // Five objects have seven histories in a world, and a block has 40 worlds.
+    let repeated = (histories + report.histories).checked_sub(plain.histories);
+    assert!(
+        repeated.is_some_and(|repeated| repeated <= 3 * 40 * 7),
+        "{repeated:?}"
+    );
     for name in [
         "objects.csv",
         "worklist.csv",
