@@ -87,21 +87,6 @@ impl Canvas {
                 (Some(fill), *fill_opacity),
                 Outline::new(stroke.as_ref(), *stroke_width),
             ),
-            Primitive::CircleBatch {
-                cx,
-                cy,
-                r,
-                fill,
-                fill_opacity,
-                stroke,
-                stroke_width,
-            } => cx.iter().zip(cy).try_for_each(|(cx, cy)| {
-                self.shape(
-                    PathBuilder::from_circle(*cx as f32, *cy as f32, *r as f32),
-                    (Some(fill), *fill_opacity),
-                    Outline::new(stroke.as_ref(), *stroke_width),
-                )
-            }),
             Primitive::Rect {
                 x,
                 y,
@@ -124,29 +109,16 @@ impl Canvas {
                 stroke,
                 stroke_width,
                 stroke_dasharray,
-            } => self.shape(
-                polyline(&[(*x1, *y1), (*x2, *y2)]),
-                (None, None),
-                Outline {
-                    ink: Some(stroke),
-                    width_px: *stroke_width,
-                    dash: stroke_dasharray.as_deref(),
-                },
+            } => self.line(
+                &[(*x1, *y1), (*x2, *y2)],
+                (stroke, *stroke_width, stroke_dasharray.as_deref()),
             ),
             Primitive::PolyLine {
                 points,
                 stroke,
                 stroke_width,
                 stroke_dasharray,
-            } => self.shape(
-                polyline(points),
-                (None, None),
-                Outline {
-                    ink: Some(stroke),
-                    width_px: *stroke_width,
-                    dash: stroke_dasharray.as_deref(),
-                },
-            ),
+            } => self.line(points, (stroke, *stroke_width, stroke_dasharray.as_deref())),
             Primitive::Path(path) => self.shape(
                 drawn(&path.d)?,
                 (path.fill.as_ref(), path.opacity),
@@ -218,14 +190,29 @@ impl Canvas {
                 self.clips.pop();
                 Ok(())
             }
-            Primitive::RichText { .. } | Primitive::RectBatch { .. } => {
-                Err("text of several styles and grids of colours are not drawn".to_owned())
+            Primitive::RichText { .. }
+            | Primitive::RectBatch { .. }
+            | Primitive::CircleBatch { .. } => {
+                Err("text of several styles and batches of shapes are not drawn".to_owned())
             }
         }
     }
 
     fn group(&self) -> Transform {
         self.groups.last().copied().unwrap_or_default()
+    }
+
+    fn line(
+        &mut self,
+        points: &[(f64, f64)],
+        (ink, width_px, dash): (&Ink, f64, Option<&str>),
+    ) -> Result<(), String> {
+        let outline = Outline {
+            ink: Some(ink),
+            width_px,
+            dash,
+        };
+        self.shape(polyline(points), (None, None), outline)
     }
 
     /// Fills a shape and draws the line around it; one without extent is not seen.
