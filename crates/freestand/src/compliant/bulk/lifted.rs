@@ -5,9 +5,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+use super::Lane;
 use super::body::Body;
 use super::each::{each, six, two};
-use super::pressed::Lane;
 use crate::vector::{Masks, Math, Numbers};
 
 /// What a lane asks for after a step; they are added.
