@@ -119,9 +119,13 @@ impl Ground {
             {
                 let samples =
                     seat.map_or(&[][..], |seat| worlds[seat.world].samples(way, seat.index));
-                let samples = samples.iter().copied().chain(std::iter::repeat(0.0));
-                for (column, sample) in columns.iter_mut().zip(samples) {
-                    column[lane] = sample;
+                let count = samples.len().min(columns.len());
+                let (moved, still) = columns.split_at_mut(count);
+                for (column, sample) in moved.iter_mut().zip(samples) {
+                    column[lane] = *sample;
+                }
+                for column in still {
+                    column[lane] = 0.0;
                 }
             }
         }

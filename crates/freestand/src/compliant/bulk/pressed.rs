@@ -303,10 +303,9 @@ impl Pressed {
                 _ => None,
             };
             let change = m.abs(m.sub(a[1], a[0]));
-            let up = match vertical {
-                Some(v) => Some(m.larger(m.abs(v[0]), m.abs(v[1]))),
-                None => None,
-            };
+            let v = vertical.unwrap_or([m.splat(0.0); 2]);
+            let up = m.larger(m.abs(v[0]), m.abs(v[1]));
+            let up = vertical.is_some().then_some(up);
             let may = self.may_find::<S>(m, i, &self.bounds, y, [a[0], change], up);
             if m.any(may) {
                 self.want::<S>(m, i, may, y, ground, sample);

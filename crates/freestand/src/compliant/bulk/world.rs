@@ -243,9 +243,7 @@ impl<'a> World<'a> {
             return;
         };
         lifted.enter(lane, &self.body);
-        for (column, value) in lifted.y.iter_mut().zip(y) {
-            column[lane] = value;
-        }
+        lifted.place(lane, y);
         for (column, value) in lifted.anchor.iter_mut().zip(anchors) {
             column[lane] = value;
         }
