@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
@@ -143,15 +143,14 @@ pub struct FloorOfWorld {
     vertical: Option<Motion>,
     /// Peak acceleration in any direction \[m/s²\].
     pub pfa_m_s2: f64,
-    /// Peak velocity in any direction \[m/s\].
-    pub pfv_m_s: f64,
+    velocity_m_s: OnceLock<f64>,
 }
 
 impl FloorOfWorld {
     fn new(motion: HorizontalMotion, vertical: Option<Motion>) -> Self {
         Self {
             pfa_m_s2: motion.peak_m_s2(),
-            pfv_m_s: motion.peak_velocity_m_s(),
+            velocity_m_s: OnceLock::new(),
             motion,
             vertical,
         }
@@ -183,7 +182,7 @@ impl FloorOfWorld {
             },
             vertical: scaled(self.vertical.as_ref())?,
             pfa_m_s2: self.pfa_m_s2 * scale_ratio,
-            pfv_m_s: self.pfv_m_s * scale_ratio,
+            velocity_m_s: OnceLock::new(),
         })
     }
 
@@ -212,6 +211,13 @@ impl FloorOfWorld {
             pfa_m_s2: 0.0,
             ..self
         }
+    }
+
+    /// Peak velocity in any direction \[m/s\]; it is calculated where somebody asks.
+    pub fn pfv_m_s(&self) -> f64 {
+        *self
+            .velocity_m_s
+            .get_or_init(|| self.motion.peak_velocity_m_s())
     }
 
     /// The accelerations of all its components.

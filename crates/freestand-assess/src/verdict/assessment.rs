@@ -369,7 +369,7 @@ fn floor_facts(trial: &Trial) -> FloorFacts {
         level_ratio: trial.subject.level_ratio,
         pfa_g_median: quantile(pfa(), 0.5),
         pfa_g_max: pfa().fold(0.0, f64::max),
-        pfv_m_s_median: quantile(trial.lived.iter().map(|one| one.pfv_m_s), 0.5),
+        pfv_m_s_median: quantile(trial.lived.iter().filter_map(|one| one.pfv_m_s), 0.5),
     }
 }
 

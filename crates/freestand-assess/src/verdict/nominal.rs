@@ -395,7 +395,7 @@ impl Nominal {
                 pads: None,
                 slips,
                 pfa_m_s2: floor.pfa_m_s2,
-                pfv_m_s: floor.pfv_m_s,
+                pfv_m_s: Some(floor.pfv_m_s()),
             }
         };
         let mut lived: Vec<Lived> = floors.iter().map(of_floor).collect();

@@ -271,8 +271,8 @@ pub(super) struct Lived {
     pub(super) slips: bool,
     /// Peak acceleration of its floor \[m/s²\].
     pub(super) pfa_m_s2: f64,
-    /// Peak velocity of its floor \[m/s\].
-    pub(super) pfv_m_s: f64,
+    /// Peak velocity of its floor \[m/s\]; `None` where nobody is told of it.
+    pub(super) pfv_m_s: Option<f64>,
 }
 
 impl Lived {

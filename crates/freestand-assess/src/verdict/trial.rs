@@ -403,14 +403,25 @@ pub(super) fn has_event(trial: &Trial, lived: &Lived) -> bool {
 /// Adds worlds until every trial is settled or has reached its cap. What was lived stays in the trials
 /// where the run is stopped.
 pub(super) fn live(context: &Context, trials: &mut [Trial]) -> Result<(), Problems> {
-    live_telling(context, trials, &|_| ())
+    live_through(context, trials, None)
 }
 
-/// The same; `tell` is called after each look.
+/// Called with the objects after each look.
+type Tell<'t> = &'t dyn Fn(&[Trial]);
+
+/// The same for those who want to know of each look, and of the floors.
 pub(super) fn live_telling(
     context: &Context,
     trials: &mut [Trial],
-    tell: &dyn Fn(&[Trial]),
+    tell: Tell,
+) -> Result<(), Problems> {
+    live_through(context, trials, Some(tell))
+}
+
+fn live_through(
+    context: &Context,
+    trials: &mut [Trial],
+    tell: Option<Tell>,
 ) -> Result<(), Problems> {
     loop {
         let next = trials
@@ -435,6 +446,7 @@ pub(super) fn live_telling(
                         .map(|&(place, floors)| Standing {
                             trial: &trials[place],
                             floors,
+                            is_told: tell.is_some(),
                         })
                         .collect();
                     let more = lived_together(context, worlds, &standing, Change::None)?;
@@ -449,7 +461,9 @@ pub(super) fn live_telling(
             .par_iter_mut()
             .filter(|trial| !trial.is_done)
             .for_each(|trial| trial.settle(context));
-        tell(trials);
+        if let Some(tell) = tell {
+            tell(trials);
+        }
     }
 }
 
@@ -513,6 +527,7 @@ pub(super) fn live_again(
                         Standing {
                             trial: lives[place].trial,
                             floors: &floors[..worlds.len()],
+                            is_told: false,
                         }
                     })
                     .collect();
@@ -532,6 +547,8 @@ pub(super) fn live_again(
 struct Standing<'t, 'a> {
     trial: &'t Trial<'a>,
     floors: &'t [Arc<FloorOfWorld>],
+    /// Whether somebody is told how its floors move.
+    is_told: bool,
 }
 
 /// Lives through some worlds block by block, with the place of every object and the motions of its floor.
@@ -594,7 +611,7 @@ fn lived_together(
         .map(|(world, (rigid, draws))| {
             let objects = standing.iter().zip(rigid).zip(draws);
             objects
-                .map(|((Standing { trial, floors }, rigid), draw)| {
+                .map(|((Standing { trial, floors, .. }, rigid), draw)| {
                     slips(&trial.subject, draw, &floors[world], rigid.as_ref())
                 })
                 .collect()
@@ -606,9 +623,15 @@ fn lived_together(
     };
     let effort: u64 = standing.iter().map(of_one).sum();
     context.add(effort * range.len() as u64);
+    let told = standing.par_iter().filter(|one| one.is_told);
+    told.flat_map(|one| one.floors).for_each(|floor| {
+        floor.pfv_m_s();
+    });
     let mut rigid: Vec<_> = rigid.into_iter().map(Vec::into_iter).collect();
     let of_object = |place: usize| {
-        let floors = standing[place].floors;
+        let Standing {
+            floors, is_told, ..
+        } = standing[place];
         let worlds = rigid.iter_mut().zip(&draws).zip(floors).zip(&slips);
         let one = worlds.map(|(((rigid, draws), floor), slips)| Lived {
             draw: draws[place],
@@ -618,7 +641,7 @@ fn lived_together(
             pads: None,
             slips: slips[place],
             pfa_m_s2: floor.pfa_m_s2,
-            pfv_m_s: floor.pfv_m_s,
+            pfv_m_s: is_told.then(|| floor.pfv_m_s()),
         });
         one.collect()
     };
@@ -659,7 +682,7 @@ fn slipped_in_worlds(
     let mut jobs = Vec::new();
     for (world, (slips, draws)) in slips.iter().zip(draws).enumerate() {
         for (place, ((one, draw), slips)) in standing.iter().zip(draws).zip(slips).enumerate() {
-            let Standing { trial, floors } = one;
+            let Standing { trial, floors, .. } = one;
             if *slips && trial.asks(context, Model::Pads) {
                 let subject = &trial.subject;
                 jobs.push(((place, world), Drawn { subject, draw }, &*floors[world]));
@@ -717,7 +740,7 @@ fn rigid_in_world(
         .iter()
         .zip(draws)
         .filter(|(one, _)| asked(one))
-        .map(|(Standing { trial, floors }, draw)| {
+        .map(|(Standing { trial, floors, .. }, draw)| {
             let subject = &trial.subject;
             (Drawn { subject, draw }, &*floors[world])
         })
@@ -755,7 +778,7 @@ fn pads_in_worlds(
     // The worlds of one object stand side by side in the kernel: they resemble each other.
     let mut keys: Vec<(usize, usize)> = Vec::new();
     let mut jobs: Vec<Job> = Vec::new();
-    for (place, Standing { trial, floors }) in standing.iter().enumerate() {
+    for (place, Standing { trial, floors, .. }) in standing.iter().enumerate() {
         let subject = &trial.subject;
         let worlds = (first..).zip(draws).zip(*floors).enumerate();
         for (index, ((world, draws), floor)) in worlds {

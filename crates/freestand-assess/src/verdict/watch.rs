@@ -18,7 +18,7 @@ use crate::result::Probability;
 use super::asks_shock;
 
 /// A history in one plane on pads.
-pub(super) const ON_PADS: u64 = 60;
+pub(super) const ON_PADS: u64 = 20;
 /// A history that is followed alone, in three dimensions or of a stack.
 pub(super) const ALONE: u64 = 2000;
 /// The ground motions of a world, and its motion of a floor.

@@ -125,7 +125,7 @@ fn a_fault_brings_its_pulses_to_every_floor() {
     assert_eq!(ground(&worlds, world)[0], without.accel_m_s2());
     // The floors: what moves the ground moves the roof.
     let world = has[0];
-    let roof = |worlds: &Worlds| worlds.floor(world, 1.0).unwrap().pfv_m_s;
+    let roof = |worlds: &Worlds| worlds.floor(world, 1.0).unwrap().pfv_m_s();
     assert!(
         roof(&worlds) > roof(&away),
         "{} {}",
