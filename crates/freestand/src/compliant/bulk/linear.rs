@@ -101,7 +101,7 @@ pub(super) struct Sample {
 }
 
 /// Weights on the sizes of the states and of the accelerations of the base in a sample. The sums of products are no
-/// smaller than what [`Pressed`](super::pressed::Pressed) finds at the steps of the sample and in the middle of
+/// smaller than what [`Look`](super::look::Look) finds at the steps of the sample and in the middle of
 /// each, on either edge.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bounds {
@@ -253,7 +253,7 @@ impl Recursion {
     }
 }
 
-/// What [`Pressed`](super::pressed::Pressed) finds of an edge, rates over a step, from the states at that instant.
+/// What [`Look`](super::look::Look) finds of an edge, rates over a step, from the states at that instant.
 struct Numbers {
     lost: Row,
     losing: Row,
