@@ -6,10 +6,11 @@ use pulp::Arch;
 use super::LANES;
 use super::lifted::{self, Lifted};
 use super::pressed::{self, Ground, Pressed};
+use super::stretch::SAMPLES;
 use super::world::{Next, World};
 
 /// Samples that the recursion takes in one go.
-const BLOCK: usize = 32;
+const BLOCK: usize = 4 * SAMPLES;
 
 /// Follows worlds to their ends.
 pub(super) fn run(arch: Arch, worlds: &mut [World]) {
@@ -27,12 +28,11 @@ pub(super) fn run(arch: Arch, worlds: &mut [World]) {
     }
 }
 
-/// A world in a lane, and the block in which an edge let go.
+/// A world in a lane, and its sample.
 #[derive(Debug, Clone, Copy)]
 struct Seat {
     world: usize,
     index: usize,
-    left_block: Option<usize>,
 }
 
 /// Worlds with both edges on their pads.
@@ -50,7 +50,7 @@ impl Firm {
         (self.seats.iter().flatten().count() + self.waiting.len()).min(LANES)
     }
 
-    /// A block of samples, or to the end of a world.
+    /// A block of samples, or to the end of a world. A world ends with a stretch: after its motion the base rests.
     fn run(&mut self, arch: Arch, worlds: &mut [World], off: &mut Vec<usize>) {
         for (lane, seat) in self.seats.iter_mut().enumerate() {
             if seat.is_none()
@@ -60,11 +60,10 @@ impl Firm {
                 *seat = Some(Seat {
                     world,
                     index: worlds[world].index(),
-                    left_block: None,
                 });
             }
         }
-        let left = |seat: &Seat| worlds[seat.world].intervals() - seat.index;
+        let left = |seat: &Seat| worlds[seat.world].intervals().saturating_sub(seat.index);
         let block = self
             .seats
             .iter()
@@ -72,6 +71,7 @@ impl Firm {
             .map(left)
             .min()
             .unwrap_or(0)
+            .next_multiple_of(SAMPLES)
             .min(BLOCK);
         self.ground.fill(worlds, &self.seats, block);
         pressed::follow(arch, &mut self.lanes, &self.ground);
@@ -79,18 +79,19 @@ impl Firm {
             let Some(Seat {
                 world: place,
                 index,
-                left_block,
             }) = seat
             else {
                 continue;
             };
             let world = &mut worlds[*place];
-            if self.lanes.holds[lane] == 0.0 && left_block.is_none() {
-                *left_block = Some(*index);
-            }
             *index += block;
-            if *index >= world.intervals() || (left_block.is_some() && world.is_screened) {
-                if world.after_pressed(&self.lanes, lane, *left_block) {
+            // Where an edge lets go matters at once to a world that was screened.
+            let is_over = *index >= world.intervals();
+            let now = is_over || world.is_screened;
+            self.lanes.look(arch, lane, world.look(), now);
+            let reached = &self.lanes.reached[lane];
+            if is_over || (world.is_screened && reached.left.is_some()) {
+                if world.after_pressed(reached) {
                     off.push(*place);
                 }
                 self.lanes.leave(lane);
@@ -111,15 +112,20 @@ impl Ground {
         self.vertical
             .resize(if moves_up { block + 1 } else { 0 }, Default::default());
         for (lane, seat) in seats.iter().enumerate() {
+            self.first[lane] = seat.map_or(0, |seat| seat.index);
             for (way, columns) in [&mut self.horizontal, &mut self.vertical]
                 .into_iter()
                 .enumerate()
             {
                 let samples =
                     seat.map_or(&[][..], |seat| worlds[seat.world].samples(way, seat.index));
-                let samples = samples.iter().copied().chain(std::iter::repeat(0.0));
-                for (column, sample) in columns.iter_mut().zip(samples) {
-                    column[lane] = sample;
+                let count = samples.len().min(columns.len());
+                let (moved, still) = columns.split_at_mut(count);
+                for (column, sample) in moved.iter_mut().zip(samples) {
+                    column[lane] = *sample;
+                }
+                for column in still {
+                    column[lane] = 0.0;
                 }
             }
         }

@@ -5,9 +5,9 @@
 
 use pulp::{Arch, Simd, WithSimd};
 
+use super::Lane;
 use super::body::Body;
 use super::each::{each, six, two};
-use super::pressed::Lane;
 use crate::vector::{Masks, Math, Numbers};
 
 /// What a lane asks for after a step; they are added.
@@ -25,6 +25,8 @@ const CALM_SHARE: f64 = 0.9;
 pub(super) struct Lifted {
     /// x, z, θ and their rates.
     pub(super) y: [Lane; 6],
+    /// sin θ and cos θ: the end of a step is the start of the next one.
+    turn: [Lane; 2],
     /// Where the foot of an edge took hold.
     pub(super) anchor: [Lane; 2],
     /// 1 where an edge is on its pad.
@@ -101,13 +103,8 @@ impl Lifted {
 
     /// Takes a world out of a lane: no step, no flags.
     pub(super) fn leave(&mut self, lane: usize) {
-        for column in self
-            .y
-            .iter_mut()
-            .chain(&mut self.base)
-            .chain(&mut self.slope)
-            .chain(&mut self.on)
-        {
+        let base = self.base.iter_mut().chain(&mut self.slope);
+        for column in base.chain(&mut self.on) {
             column[lane] = 0.0;
         }
         for column in [
@@ -124,6 +121,17 @@ impl Lifted {
         }
         self.height[lane] = 0.0;
         (self.rest[lane], self.fallen[lane]) = (1.0, 1.0);
+        self.place(lane, [0.0; 6]);
+    }
+
+    /// Puts the block of a lane somewhere.
+    pub(super) fn place(&mut self, lane: usize, y: [f64; 6]) {
+        for (column, value) in self.y.iter_mut().zip(y) {
+            column[lane] = value;
+        }
+        let m = Math(pulp::Scalar::new());
+        let (sin, cos) = m.sin_cos(m.splat(y[2]));
+        (self.turn[0][lane], self.turn[1][lane]) = (sin[0], cos[0]);
     }
 
     /// The next step of a lane.
@@ -186,6 +194,17 @@ struct Feet<S: Simd> {
 #[inline(always)]
 fn feet<S: Simd>(m: Math<S>, p: &Parts<S>, y: &[Numbers<S>; 6]) -> Feet<S> {
     let (sin, cos) = m.sin_cos(y[2]);
+    feet_at(m, p, y, [sin, cos])
+}
+
+/// The same, with sin θ and cos θ.
+#[inline(always)]
+fn feet_at<S: Simd>(
+    m: Math<S>,
+    p: &Parts<S>,
+    y: &[Numbers<S>; 6],
+    [sin, cos]: [Numbers<S>; 2],
+) -> Feet<S> {
     let (lean, upright) = (m.mul(p.height, sin), m.mul(p.height, cos));
     // z + c(1 − cos θ).
     let risen = m.add(y[1], m.sub(p.height, upright));
@@ -317,7 +336,8 @@ impl Lifted {
         let on = two!(edge, m.gt(p.on[edge], zero));
 
         // Runge and Kutta's four stages.
-        let start = feet(m, &p, &y);
+        let turn = pair::<S>(&self.turn, i);
+        let start = feet_at(m, &p, &y, turn);
         let bent = accelerations(m, &p, y[0], &start, base);
         let up = edges_up(m, &start, y[5], &bent, base[1]);
         let half_h = m.mul(half, h);
@@ -341,7 +361,9 @@ impl Lifted {
             mean(m, bent[2], bent2[2], bent3[2], bent4[2]),
         ];
         let end = six!(k, m.fma(sixth, rates[k], y[k]));
-        let last = feet(m, &p, &end);
+        let (sin, cos) = m.sin_cos(end[2]);
+        let turn_end = [sin, cos];
+        let last = feet_at(m, &p, &end, turn_end);
 
         // e^(−k h/c) as (e^(x/8))⁻⁸ by five terms.
         let x = m.mul(m.mul(h, self.recovery.get::<S>(i)), m.splat(0.125));
@@ -379,6 +401,7 @@ impl Lifted {
         }
         for way in 0..2 {
             self.base[way].set::<S>(i, m.select(accepted, base_end[way], base[way]));
+            self.turn[way].set::<S>(i, m.select(accepted, turn_end[way], turn[way]));
         }
         let left = m.select(accepted, m.sub(rest, h), rest);
         self.rest.set::<S>(i, left);

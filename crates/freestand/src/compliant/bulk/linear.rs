@@ -119,7 +119,7 @@ pub(super) struct Bounds {
 pub(super) struct Modes {
     /// From (x, z, θ) to the modes, and back.
     pub(super) into: [[f64; 3]; 3],
-    from: [[f64; 3]; 3],
+    pub(super) from: [[f64; 3]; 3],
     /// Where an acceleration of 1 would hold each.
     pub(super) held: [f64; 3],
 }

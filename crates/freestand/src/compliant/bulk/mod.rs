@@ -4,9 +4,9 @@
 //! without slip, k_t = k. Worlds stand in lanes, sixteen abreast, each with its own block, pads and
 //! motion:
 //!
-//! * **Both edges on their pads** (`linear`, `pressed`): the linear equations of (x, z, θ), exact
-//!   from sample to sample; the steps in between are taken where a bound says that one may set a new
-//!   extreme. Their first way through the whole motion is the screen: U, the largest part of its load
+//! * **Both edges on their pads** (`linear`, `stretch`, `pressed`, `look`): the linear equations of
+//!   (x, z, θ), exact over eight samples at once; the samples and the steps in between are taken where a
+//!   bound says that one may set a new extreme. Their first way through the whole motion is the screen: U, the largest part of its load
 //!   at rest that an edge loses. Where U ≤ 1, that is all.
 //! * **Else** (`lifted`), from the first 0.15 of a load lost on: exact sines, Runge–Kutta steps of a
 //!   third of a radian of the fastest vibration, shortened to the events of contacts: let go at
@@ -24,8 +24,10 @@ mod crew;
 mod each;
 mod lifted;
 mod linear;
+mod look;
 mod pressed;
 mod stand;
+mod stretch;
 mod world;
 
 #[cfg(test)]
@@ -37,6 +39,7 @@ use super::CompliantError;
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::Base;
+use crate::vector::Column;
 use body::Body;
 use world::World;
 
@@ -44,6 +47,9 @@ pub use stand::{pad_uplift_threshold_m_s2, rocking_frequency_hz};
 
 /// Worlds side by side.
 const LANES: usize = 16;
+
+/// A number of each.
+type Lane = Column<LANES>;
 
 /// Worlds that a thread takes at once: enough to fill the lanes that worlds have left.
 const WORLDS: usize = 256;

@@ -3,7 +3,9 @@
 use super::body::Body;
 use super::lifted::{CONTACT_CHANGES, FALLEN, Lifted, PULSE_ENDS, SAMPLE_ENDS};
 use super::linear::{Recursion, STATES, Sample};
-use super::pressed::{FIRM_RATIO, Pressed, Reached};
+use super::look::{FIRM_RATIO, Look, Reached};
+use super::pressed::Pressed;
+use super::stretch::Stretch;
 use super::{CompliantSummary, PadOutcome};
 use crate::compliant::CompliantError;
 use crate::motion::Motion;
@@ -33,8 +35,9 @@ enum State {
 #[derive(Debug)]
 pub(super) struct World<'a> {
     body: Body,
-    step: Recursion,
+    look: Look,
     sample: Sample,
+    stretch: Stretch,
     horizontal: &'a [f64],
     vertical: &'a [f64],
     dt_s: f64,
@@ -63,9 +66,11 @@ impl<'a> World<'a> {
     ) -> Self {
         let deepest = body.rest.compressions[0].max(body.rest.compressions[1]);
         let step = Recursion::new(&body);
+        let sample = Sample::new(&body, &step);
         Self {
-            sample: Sample::new(&body, &step),
-            step,
+            stretch: Stretch::new(&sample),
+            sample,
+            look: Look::new(&body, step),
             horizontal,
             vertical,
             dt_s: motion.dt_s(),
@@ -141,35 +146,40 @@ impl<'a> World<'a> {
             State::Pressed(y) => y,
             State::Lifted { .. } => [0.0; STATES],
         };
+        // After the screen what is lost matters only where it leaves.
+        let (lost, counts_to) = if self.is_screened {
+            (FIRM_RATIO, FIRM_RATIO)
+        } else {
+            (0.0, 1.0)
+        };
         let reached = Reached {
-            // After the screen it matters only where it leaves.
-            lost: if self.is_screened { FIRM_RATIO } else { 0.0 },
+            lost,
             pressed: self.summary.peak_compression_m,
             peaks: self.summary.peak_edge_accelerations_m_s2,
+            left: None,
+            counts_to,
         };
-        pressed.enter(lane, &self.body, &self.step, &self.sample, &y, &reached);
+        let [left_m, right_m] = self.body.rest.compressions;
+        let (sample, deepest_m) = (&self.sample, left_m.max(right_m));
+        pressed.enter(lane, sample, &self.stretch, &y, deepest_m, reached);
     }
 
-    /// Out of such a lane, `done` samples after the start of the block in which the lane is; whether an edge
-    /// has let go.
-    pub(super) fn after_pressed(
-        &mut self,
-        pressed: &Pressed,
-        lane: usize,
-        left_block: Option<usize>,
-    ) -> bool {
+    /// What its steps are looked at with.
+    pub(super) fn look(&self) -> &Look {
+        &self.look
+    }
+
+    /// Out of such a lane; whether an edge has let go.
+    pub(super) fn after_pressed(&mut self, reached: &Reached) -> bool {
         let summary = &mut self.summary;
         let first = !std::mem::replace(&mut self.is_screened, true);
         if first {
-            summary.pad_uplift_ratio = pressed.most_lost[lane];
+            summary.pad_uplift_ratio = reached.lost;
         }
-        summary.peak_compression_m = summary.peak_compression_m.max(pressed.most_pressed[lane]);
-        for (peak, column) in summary
-            .peak_edge_accelerations_m_s2
-            .iter_mut()
-            .zip(&pressed.peak)
-        {
-            *peak = peak.max(column[lane]);
+        summary.peak_compression_m = summary.peak_compression_m.max(reached.pressed);
+        let peaks = &mut summary.peak_edge_accelerations_m_s2;
+        for (peak, reached) in peaks.iter_mut().zip(reached.peaks) {
+            *peak = peak.max(reached);
         }
         if !summary.pad_uplift_ratio.is_finite() {
             self.error = Some(CompliantError::NotFinite {
@@ -178,13 +188,12 @@ impl<'a> World<'a> {
             return false;
         }
         // Pads that would never have to pull need no other equations.
-        let Some(block) = left_block.filter(|_| summary.pad_uplift_ratio > 1.0) else {
+        let Some(left) = reached.left.filter(|_| summary.pad_uplift_ratio > 1.0) else {
             return false;
         };
-        let steps = pressed.left_at[lane] as usize;
-        self.index = block + steps / self.body.parts;
-        self.gone_s = (steps % self.body.parts) as f64 * self.body.step_s;
-        self.lift_off(std::array::from_fn(|k| pressed.left[k][lane]));
+        self.index = left.sample;
+        self.gone_s = left.part as f64 * self.body.step_s;
+        self.lift_off(left.y);
         true
     }
 
@@ -223,7 +232,9 @@ impl<'a> World<'a> {
     /// Every step of every sample, for tests.
     #[cfg(test)]
     pub(super) fn look_everywhere(&mut self) {
-        self.sample.bounds.lost = [f64::INFINITY; _];
+        for bounds in [&mut self.stretch.bounds, &mut self.sample.bounds] {
+            bounds.lost = [f64::INFINITY; _];
+        }
     }
 
     /// Into a lane of blocks that may lift.
@@ -232,9 +243,7 @@ impl<'a> World<'a> {
             return;
         };
         lifted.enter(lane, &self.body);
-        for (column, value) in lifted.y.iter_mut().zip(y) {
-            column[lane] = value;
-        }
+        lifted.place(lane, y);
         for (column, value) in lifted.anchor.iter_mut().zip(anchors) {
             column[lane] = value;
         }
