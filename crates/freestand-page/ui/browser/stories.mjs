@@ -852,6 +852,7 @@ await story('a list with a budget: its plan and what this assumes', { long: true
   const text = await page.textContent('#plan');
   assert.match(text, /The plan restrains \d+ objects? for .* NZD; the budget is 12.000 NZD\. Life safety comes first/);
   assert.ok((await page.$$('#plan tbody tr')).length > 0);
+  assert.match(await page.textContent('#plan tbody tr'), /restrain|soften|lock|no verdict|leave/, 'the verdict of what is planned');
   await page.click('#plan details summary');
   assert.ok((await page.$$('#plan details li')).length > 2);
   await accessible(page, 'plan');
