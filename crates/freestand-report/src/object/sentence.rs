@@ -503,16 +503,23 @@ impl Answer {
                 let (shock, peak) = apart(shock_g, withstands.peak_g);
                 format!("; its landings reach {shock} g, under the {peak} g that it withstands")
             }
-            Some(shock_g) if exceeded == 0 => {
-                format!(
-                    "; its landings reach {} g and stay below the {limit} that it withstands",
-                    number(shock_g, 2)
-                )
-            }
             Some(shock_g) => {
+                let shock = number(shock_g, 2);
+                // A pulse that was survived says more than its peak: the spectra are compared, and the peaks may differ the
+                // other way.
+                let (they, than) = match withstands.duration_s {
+                    None => ("", "the"),
+                    Some(_) => (" with shock response spectra that", "that of the"),
+                };
+                let verb = match (exceeded, withstands.duration_s) {
+                    (0, None) => "and stay below",
+                    (0, Some(_)) => "stay below",
+                    (_, None) => "and exceed",
+                    (_, Some(_)) => "exceed",
+                };
+                let times = if exceeded == 0 { "" } else { &times };
                 format!(
-                    "; its landings reach {} g and exceed the {limit} that it withstands{times}",
-                    number(shock_g, 2)
+                    "; its landings reach {shock} g{they} {verb} {than} {limit} that it withstands{times}"
                 )
             }
             None if self.kind == AnswerKind::DoesNotRock => format!("; it withstands {limit}"),
