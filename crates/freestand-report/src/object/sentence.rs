@@ -507,19 +507,15 @@ impl Answer {
                 let shock = number(shock_g, 2);
                 // A pulse that was survived says more than its peak: the spectra are compared, and the peaks may differ the
                 // other way.
-                let (they, than) = match withstands.duration_s {
-                    None => ("", "the"),
-                    Some(_) => (" with shock response spectra that", "that of the"),
-                };
-                let verb = match (exceeded, withstands.duration_s) {
-                    (0, None) => "and stay below",
-                    (0, Some(_)) => "stay below",
-                    (_, None) => "and exceed",
-                    (_, Some(_)) => "exceed",
+                let compared = match (withstands.duration_s, exceeded) {
+                    (None, 0) => "and stay below the",
+                    (None, _) => "and exceed the",
+                    (Some(_), 0) => "with shock response spectra that stay below that of the",
+                    (Some(_), _) => "with shock response spectra that exceed that of the",
                 };
                 let times = if exceeded == 0 { "" } else { &times };
                 format!(
-                    "; its landings reach {shock} g{they} {verb} {than} {limit} that it withstands{times}"
+                    "; its landings reach {shock} g {compared} {limit} that it withstands{times}"
                 )
             }
             None if self.kind == AnswerKind::DoesNotRock => format!("; it withstands {limit}"),
