@@ -581,7 +581,8 @@ fn a_verdict_names_its_limit_and_wrong_words_are_refused() {
         .concat(),
     );
     assert!(
-        whole.contains("a discount rate of 3 is 300 % a year"),
+        whole.contains("--discount: 3 is 300 % a year")
+            && whole.contains("write 3 % a year as \"3 %\" or 0.03"),
         "{whole}"
     );
     let law = [
