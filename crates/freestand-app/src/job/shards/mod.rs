@@ -218,7 +218,6 @@ pub fn merge_shards(
         parquet: true,
         outcomes: plan.outcomes(),
         signing,
-        ..Job::default()
     };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);
