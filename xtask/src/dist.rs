@@ -9,6 +9,7 @@ use std::process::Command;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
+use crate::python::PUBLISHED_PROGRAM;
 use crate::tools::{ended, run, told};
 
 /// Where the program itself is, in the workspace.
@@ -41,18 +42,7 @@ pub fn dist(root: &Path, out: &Path) -> Result<(), String> {
     let metadata = metadata(root)?;
     let version = text(&metadata["version"]);
     let host = host(root)?;
-    run(
-        root,
-        "cargo",
-        &[
-            "build",
-            "--locked",
-            "--package",
-            "freestand-cli",
-            "--profile",
-            "published",
-        ],
-    )?;
+    run(root, "cargo", &PUBLISHED_PROGRAM)?;
     let target = PathBuf::from(text(&metadata["target"])).join("published");
     let program = target.join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
     fs::create_dir_all(out).map_err(told(out))?;

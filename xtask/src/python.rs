@@ -28,6 +28,24 @@ const TEST: [&str; 8] = [
 /// A level of compression: ten attempts of Zopfli.
 const ZOPFLI: i64 = 19;
 
+/// The level of the last piece that is compiled, which is the level of the passes over the whole.
+const LAST_PIECE: [&str; 3] = ["--", "-C", "opt-level=3"];
+
+/// What Cargo is told to build the program that is published.
+pub const PUBLISHED_PROGRAM: [&str; 11] = [
+    "rustc",
+    "--locked",
+    "--package",
+    "freestand-cli",
+    "--bin",
+    "freestand",
+    "--profile",
+    "published",
+    LAST_PIECE[0],
+    LAST_PIECE[1],
+    LAST_PIECE[2],
+];
+
 /// What makes pages of its docstrings.
 const PAGES: [&str; 1] = ["pdoc>=16,<17"];
 
@@ -73,18 +91,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
             "debug"
         }
         Profile::Published => {
-            run(
-                root,
-                "cargo",
-                &[
-                    "build",
-                    "--locked",
-                    "--package",
-                    "freestand-cli",
-                    "--profile",
-                    "published",
-                ],
-            )?;
+            run(root, "cargo", &PUBLISHED_PROGRAM)?;
             "published"
         }
     };
@@ -118,24 +125,16 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
         .flatten()
         .flatten()
         .for_each(|file| _ = empty(file.path()));
-    let profile_name = if profile == Profile::Dev {
-        "dev"
-    } else {
-        "published"
+    let (name, last): (_, &[&str]) = match profile {
+        Profile::Dev => ("dev", &[]),
+        Profile::Published => ("published", &LAST_PIECE),
     };
     let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
     let arguments = [
-        &[
-            "build",
-            "--locked",
-            "--profile",
-            profile_name,
-            "--manifest-path",
-            &manifest,
-            "--out",
-            &out_text,
-        ][..],
+        &["build", "--locked", "--profile", name][..],
+        &["--manifest-path", &manifest, "--out", &out_text],
         &["--compression-level", "1"],
+        last,
     ]
     .concat();
     run(root, tool(root, "maturin"), &arguments)?;

@@ -11,9 +11,9 @@ use clap::builder::{PossibleValue, TypedValueParser};
 use clap::{Arg, Args, Command};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{UnitSystem, shorten};
+use freestand_input::quantity::{Dimension, UnitSystem, shorten};
 use freestand_input::word_reader::WordReader;
-use freestand_input::words::{Choices, nearest};
+use freestand_input::words::{Choices, nearest, number};
 use freestand_input::written::Written;
 use freestand_study::resolve::MAX_MOTIONS;
 use serde_json::{Map, Value};
@@ -442,6 +442,26 @@ pub(crate) fn seed(read: &mut WordReader<'_>) -> Option<u64> {
         let wrong = |_| Problem::value(format!("{text} is not a seed"), "give a whole number");
         text.parse::<u64>().map_err(wrong)
     })
+}
+
+/// A discount rate per year. 1 or more is a percentage without its sign: at 100 % a year nothing that is saved later counts.
+pub(crate) fn discount(read: &mut WordReader<'_>) -> Option<f64> {
+    let ratio = read.non_negative("discount", Dimension::Ratio)?;
+    if ratio < 1.0 {
+        return Some(ratio);
+    }
+    let percent = number(100.0 * ratio, 4);
+    let message = format!("`discount`: {} is {percent} % a year", number(ratio, 4));
+    let hint = match ratio < 100.0 {
+        true => format!(
+            "write {0} % a year as \"{0} %\" or {1}",
+            number(ratio, 4),
+            number(ratio / 100.0, 4)
+        ),
+        false => "give less than 100 % a year, such as \"3 %\"".to_owned(),
+    };
+    read.note(&["discount"], message, hint);
+    None
 }
 
 /// Reads the values of a request; a problem for each key that it does not know is noted.

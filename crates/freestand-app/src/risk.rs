@@ -16,7 +16,7 @@ use crate::cells::CellKeys;
 use crate::files::Files;
 use crate::fragility::PLACES;
 use crate::hazard::{self, HazardCurve, HazardOfCode};
-use crate::request::{Question, Request as _, one_of, path, reader, request, seed};
+use crate::request::{Question, Request as _, discount, one_of, path, reader, request, seed};
 
 /// The schema of the response.
 pub use freestand_risk::RISK_SCHEMA as SCHEMA;
@@ -119,7 +119,7 @@ impl Question for Risk {
         let options = path(&mut read, "options", files);
         let budget = read.read("budget", amount);
         let horizon_years = read.read("horizon_years", years);
-        let discount_ratio = read.non_negative("discount", Dimension::Ratio);
+        let discount_ratio = discount(&mut read);
         let accepted_rate = rate(&mut read);
         let years = read.read("years", years);
         check_together(&mut read);

@@ -8,6 +8,7 @@ use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_output::answer;
+use freestand_report::signature::Signing;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
@@ -123,18 +124,34 @@ request! { question
         /// Folder of the plan
         #[arg(value_name = "DIR")]
         pub dir: Option<Written>,
+        /// Whoever signs has confirmed the values that are quoted from memory: without it the report is a draft where it
+        /// rests on one
+        #[arg(long, action = ArgAction::SetTrue)]
+        pub allow_recalled: Switch,
     }
 }
 
-impl Question for ShardMerge {
+/// A plan whose shards are put together.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MergeMeant {
     /// The folder of the plan.
-    type Meant = PathBuf;
+    pub dir: PathBuf,
+    /// Whether the report may be signed.
+    pub signing: Signing,
+}
 
-    fn resolve(&self, files: &Files) -> Result<PathBuf, Problems> {
+impl Question for ShardMerge {
+    type Meant = MergeMeant;
+
+    fn resolve(&self, files: &Files) -> Result<MergeMeant, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let dir = folder(&mut read, files);
-        read.problems.finish(dir)
+        let signing = Signing {
+            allows_recalled: read.flag("allow_recalled"),
+        };
+        read.problems
+            .finish(dir.map(|dir| MergeMeant { dir, signing }))
     }
 }
 

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use crate::result::Assessment;
 use freestand_input::problem::{Problem, ProblemKind};
-use freestand_inventory::Inventory;
+use freestand_inventory::{Inventory, Item};
 use freestand_output::folder::write_file;
 use freestand_output::paths::{io_problem, refuse_links_in};
 use freestand_study::study::Study;
@@ -31,17 +31,16 @@ const LOCK: &str = "lock";
 /// stand side by side in the kernels.
 const PART: usize = 512;
 
-/// The same where histories are followed one by one, for a tenth of a second and more: some minutes.
+/// Objects of a part whose histories are followed one by one, for a tenth of a second and more: some minutes.
 const SLOW_PART: usize = 4;
 
-/// Objects of a part of an inventory.
+/// Objects of a part of an inventory: as many as have [`SLOW_PART`] slow ones among them on average.
 pub fn part_size(study: &Study, inventory: &Inventory) -> usize {
-    let is_slow = study.assessment.dimensions == Dimensions::Three
-        || inventory
-            .items
-            .iter()
-            .any(|item| item.surroundings.upper.is_some());
-    if is_slow { SLOW_PART } else { PART }
+    let is_in_space = study.assessment.dimensions == Dimensions::Three;
+    let is_slow = |item: &&Item| is_in_space || item.is_followed_alone();
+    let slow = inventory.items.iter().filter(is_slow).count();
+    let size = (SLOW_PART * inventory.items.len()).checked_div(slow);
+    size.unwrap_or(PART).clamp(SLOW_PART, PART)
 }
 
 /// Rows of an inventory that are assessed and stored together.
@@ -308,7 +307,34 @@ fn is_ours(name: &str) -> bool {
 #[cfg(all(test, unix))]
 mod tests {
     use super::*;
+    use freestand_inventory::library::Lookup;
+    use freestand_inventory::{ReadOptions, read_inventory};
     use std::os::unix::fs::symlink;
+
+    /// A part has four objects that are followed one by one: round ones, bodies and stacks, or all in three dimensions.
+    #[test]
+    fn a_part_has_few_slow_objects() {
+        let study = |toml| freestand_study::resolve::resolve(toml, None, Path::new("")).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let of = |shapes: &[&str]| {
+            let path = folder.path().join("list.csv");
+            let mut text = "id,height [mm],thickness [mm],shape,upper_height [mm],upper_thickness [mm],upper_mass [kg]\n".to_owned();
+            for (i, shape) in shapes.iter().cycle().take(12).enumerate() {
+                text += &format!("o{i},1800,400,{shape}\n");
+            }
+            fs::write(&path, text).unwrap();
+            read_inventory(&path, &ReadOptions::new(&Lookup::NONE)).unwrap()
+        };
+        let flat = study("[building]\nstoreys = 8\n");
+        let size = |shapes: &[&str]| part_size(&flat, &of(shapes));
+        assert_eq!(size(&["box,,,"]), PART);
+        for slow in ["cylinder,,,", "polygon:6,,,", "box,500,300,20"] {
+            assert_eq!(size(&[slow]), SLOW_PART, "{slow}");
+            assert_eq!(size(&["box,,,", "box,,,", slow]), 3 * SLOW_PART, "{slow}");
+        }
+        let space = study("[building]\nstoreys = 8\n[assessment]\ndimensions = \"3d\"\n");
+        assert_eq!(part_size(&space, &of(&["box,,,"])), SLOW_PART);
+    }
 
     /// Through a link, the lock would truncate the user's file and the clearing would remove files that
     /// happen to have numbers for names.

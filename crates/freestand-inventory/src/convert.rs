@@ -158,7 +158,8 @@ fn holds_words(heading: &str) -> bool {
 const MAX_PROBLEMS: usize = 20;
 
 /// What such a cell is told.
-const UNPRINTABLE: &str = "contains a control character, which no CSV allows";
+const UNPRINTABLE: &str =
+    "contains a control character, which nobody sees and most programs refuse";
 
 fn written(
     row: &Row,

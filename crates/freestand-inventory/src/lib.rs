@@ -220,6 +220,12 @@ impl Item {
     pub fn is_round(&self) -> bool {
         self.shape == ItemShape::Round
     }
+
+    /// Whether its histories are followed one by one in every study: those of a body that is no block, and of a stack.
+    pub fn is_followed_alone(&self) -> bool {
+        matches!(self.shape, ItemShape::Round | ItemShape::Body(_))
+            || self.surroundings.upper.is_some()
+    }
 }
 
 /// The shape of an object.

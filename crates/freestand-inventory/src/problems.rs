@@ -133,6 +133,8 @@ kinds! {
         "if it is not round, write box in a column shape";
     HiddenRow Doubt "is not shown by a spreadsheet, because it is hidden or a filter leaves it out; it was read like the others"
         "show the row, or delete it if the object is no longer there";
+    Unprintable Doubt "contains a control character, which nobody sees and most programs refuse"
+        "type the cell again";
     Example Doubt "is an example of the template"
         "delete the row";
 }

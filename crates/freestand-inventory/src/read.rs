@@ -16,6 +16,7 @@ use super::columns::{COLUMNS, Column, letters};
 use super::columns_read::{ColumnRead, HeadingReport};
 use super::edit::Edit;
 use super::edits::{answer, edited};
+use super::encoding::is_unprintable;
 use super::floors::{FloorFinder, Floors};
 use super::headings::{dimension, meaning};
 use super::implausible::{SizeCell, confirm};
@@ -207,6 +208,7 @@ pub fn parse_inventory(
         item.carried.resize(carried, String::new());
     }
     list.tell_duplicates(&mut whole.items, &mut findings);
+    list.tell_unprintable(&mut whole.items, &mut findings);
     for item in &mut whole.items {
         if list.sheet.hidden.rows.binary_search(&item.row).is_ok() {
             findings.add(Kind::HiddenRow, Place::ROW, Some(item.row), "", "");
@@ -453,6 +455,43 @@ impl<'a> List<'a> {
             samples: samples(self.rows(part), *index),
         };
         header.headings.keys().zip(named).map(one).collect()
+    }
+
+    /// Finds headings and texts with control characters, which no conversion takes: of all columns, also of those that are
+    /// only carried through.
+    fn tell_unprintable(&self, items: &mut [Item], findings: &mut Findings) {
+        let mut rows = HashSet::new();
+        let is_unreadable = |text: &str| text.chars().any(is_unprintable);
+        for part in &self.parts {
+            let headings = &part.table.header.headings;
+            let place = |index: u32| Place {
+                column: part
+                    .columns
+                    .uses
+                    .iter()
+                    .find(|one| one.index == index)
+                    .map(|one| one.column),
+                index: Some(index),
+                heading: headings.get(&index).map(String::as_str),
+            };
+            for (index, heading) in headings.iter().filter(|(_, text)| is_unreadable(text)) {
+                let row = Some(part.table.header.row);
+                findings.add(Kind::Unprintable, place(*index), row, heading, "");
+            }
+            for row in self.rows(part) {
+                for (index, cell) in &row.cells {
+                    if let Cell::Text(text) = cell
+                        && is_unreadable(text)
+                    {
+                        findings.add(Kind::Unprintable, place(*index), Some(row.number), text, "");
+                        rows.insert(row.number);
+                    }
+                }
+            }
+        }
+        for item in items.iter_mut().filter(|item| rows.contains(&item.row)) {
+            item.doubts.push(Kind::Unprintable);
+        }
     }
 
     /// Gives later rows with an id that occurred before a number: no output could tell them apart.

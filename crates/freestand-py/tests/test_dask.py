@@ -198,9 +198,9 @@ def test_a_shard_that_always_fails_is_named(city, clients, tmp_path, caplog):
     rows.write_bytes(kept)
     merge = fsd._merge
 
-    def merged(plan, target):
+    def merged(plan, target, is_recalled):
         assert all(path.stat().st_mtime_ns == time for path, time in finished.items())
-        return merge(plan, target)
+        return merge(plan, target, is_recalled)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(fsd, "_merge", merged)
@@ -249,6 +249,7 @@ def test_a_worker_without_the_program_is_named(city, clients, tmp_path):
         ({"seed": -1}, "^seed must be"),
         ({"seed": 2**70}, "^seed must be"),
         ({"client": "tcp://127.0.0.1:8786"}, "^client must be"),
+        ({"allow_recalled": 1}, "^allow_recalled must be True or False"),
         ({"out": None}, "^out must be"),
         ({"out": "used"}, "^out: "),
         ({"out": "edited"}, "^out: .*objects.csv was changed"),

@@ -1,4 +1,4 @@
-//! The furniture of FEMA P-58 under computed floor motions: the table of `docs/risk.md`.
+//! The furniture of FEMA P-58 under computed floor motions: the table of `validation/furniture`.
 //!
 //! `cargo run --release -p freestand-risk --example bookcases [SEED]`
 

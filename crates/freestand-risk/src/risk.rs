@@ -4,8 +4,7 @@ use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use freestand_input::file::{InputFile, load};
-use freestand_input::problem::{Problem, Problems};
-use freestand_input::words::number;
+use freestand_input::problem::Problems;
 use freestand_inventory::too_mild::TooMild;
 use freestand_study::run::Progress;
 
@@ -34,12 +33,6 @@ use crate::{plan, portfolio};
 /// Files that cannot be read, a hazard of another measure than that of the fragilities, two
 /// currencies, options without a horizon and a discount rate; or that it was stopped.
 pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Problems> {
-    if let Some(discount) = request.discount_ratio.filter(|discount| *discount > 1.0) {
-        let (percent, written) = (number(100.0 * discount, 4), number(discount, 4));
-        let message = format!("a discount rate of {written} is {percent} % a year");
-        let hint = format!("write {written} % as `discount = \"{written} %\"`; at most 100 %");
-        return Err(Problem::value(message, hint).of(&["discount"]).into());
-    }
     let (mut doubts, mut inputs) = (Vec::new(), Vec::new());
     let mut fitted: Option<FragilityReport> = None;
     let mut curves: Vec<ObjectCurves> = match &request.curves {

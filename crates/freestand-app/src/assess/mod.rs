@@ -8,7 +8,6 @@ use crate::job::Job;
 use clap::ArgAction;
 use freestand_assess::result::Decision;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_inventory::Inventory;
@@ -21,7 +20,9 @@ use sites::Sites;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
+use crate::request::{
+    Question, Request as _, Switch, discount, one_of, path, reader, request, seed,
+};
 
 /// The schema of the response.
 pub use crate::job::SCHEMA;
@@ -235,7 +236,7 @@ fn budget(read: &mut WordReader<'_>, list: &ListMeant, files: &Files) -> Option<
     let budget = read.read("budget", amount);
     let restraints = path(read, "restraints", files);
     let horizon_years = read.read("horizon_years", years);
-    let discount_ratio = read.non_negative("discount", Dimension::Ratio);
+    let discount_ratio = discount(read);
     for key in ["restraints", "horizon_years", "discount"] {
         if read.has(key) && !read.has("budget") {
             let message = format!("`{key}` is for a plan within a budget");

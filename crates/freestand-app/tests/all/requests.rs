@@ -481,7 +481,8 @@ fn of_programs() -> Vec<Asked> {
             "assess",
             json!({"budget": "15000", "restraints": "/etc/passwd", "horizon_years": -1, "discount": "much"}),
         ),
-        ("assess", json!({"budget": "-5 NZD"})),
+        ("assess", json!({"budget": "-5 NZD", "discount": 1})),
+        ("assess", json!({"budget": "5 NZD", "discount": "300 %"})),
         (
             "assess",
             json!({"restraints": "ours.csv", "horizon_years": "50 yr", "discount": "3 %"}),

@@ -231,7 +231,7 @@ fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
     let site = site.map(|site| format!("{noun} {site}"));
     match &target.place {
         Some(place) => NamedEarthquake::Place {
-            name: place.name.to_string(),
+            name: place.short_name(),
             is_point: place.is_point(),
             code: place.hazard.code_title().to_owned(),
             years: years.or(match place.hazard {

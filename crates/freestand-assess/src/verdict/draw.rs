@@ -71,7 +71,7 @@ pub(super) const WAVE_M: f64 = 0.05;
 const CG_RATIO: f64 = 0.1;
 
 /// The ranges of what is not known of a contact, both uniform in their logarithms: as for the tests on a shake table
-/// (docs/validation.md). Less damping and softer contacts are less favourable.
+/// (validation/shake-table/README.md). Less damping and softer contacts are less favourable.
 const CONTACT_DAMPING_RATIO: (f64, f64) = (0.05, 0.5);
 const CONTACT_SINKING_M: (f64, f64) = (5e-5, 5e-4);
 

@@ -184,9 +184,8 @@ pub fn usual_effort(settings: &Settings, items: &[Item]) -> u64 {
         let most = most.and_then(|looks| looks.last().copied()).unwrap_or(0);
         let has_pads = item.mass_kg.is_some() && item.cushion.is_some();
         let planes = 1 + u64::from(item.width_m.is_some());
-        let is_alone = item.is_round()
-            || item.surroundings.upper.is_some()
-            || has_pads && settings.dimensions == Dimensions::Three;
+        let is_alone =
+            item.is_followed_alone() || has_pads && settings.dimensions == Dimensions::Three;
         let in_world = match (is_alone, has_pads && settings.compliant) {
             (true, _) => ALONE,
             (false, true) => planes * (1 + ON_PADS),

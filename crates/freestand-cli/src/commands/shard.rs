@@ -1,6 +1,6 @@
 //! `freestand shard`: an assessment that several processes or machines share.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::{Args, Subcommand};
 use freestand_app::job::{
@@ -8,7 +8,7 @@ use freestand_app::job::{
     run_shard,
 };
 use freestand_app::shard::{
-    MERGE_SCHEMA, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
+    MERGE_SCHEMA, MergeMeant, MissingShards, PlanMeant, RunMeant, ShardMerge, ShardPlan, ShardRun,
 };
 use freestand_input::problem::Problem;
 use freestand_input::words::counted;
@@ -183,7 +183,7 @@ impl Tell for ShardMerge {
     type Output = ();
 
     fn tell(
-        dir: PathBuf,
+        MergeMeant { dir, signing }: MergeMeant,
         (): &(),
         global: &GlobalArgs,
         printer: &Printer,
@@ -196,7 +196,7 @@ impl Tell for ShardMerge {
             ));
         }
         let merged = watched(printer, |progress| {
-            merge_shards(&dir, out, global.force, progress)
+            merge_shards(&dir, out, global.force, signing, progress)
         });
         match merged? {
             Merged::Missing(missing) => {

@@ -73,6 +73,22 @@ impl<'s> RowReader<'s> {
         None
     }
 
+    /// The standard deviation of a logarithm. At 2 the values scatter by a factor of 7 both ways, more than any test does:
+    /// a larger one is a percentage without its sign.
+    pub(super) fn beta(&mut self, column: &'static str) -> Option<f64> {
+        let beta = self.positive(column, Dimension::Ratio)?;
+        if beta <= 2.0 {
+            return Some(beta);
+        }
+        let text = self.text(column);
+        self.note(
+            column,
+            format!("must be at most 2, not \"{}\"", shorten(&text)),
+            "give the standard deviation of the logarithm, such as 0.3",
+        );
+        None
+    }
+
     /// A whole number, at least 1.
     pub(super) fn count(&mut self, column: &'static str) -> Option<u32> {
         let text = self.text(column);

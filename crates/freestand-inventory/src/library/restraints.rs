@@ -193,7 +193,7 @@ impl RestraintEntry {
             reader.note("height", "is above the object", hint);
         }
         let capacity_n = reader.positive("capacity", Dimension::Force);
-        let beta = reader.positive("beta", Dimension::Ratio);
+        let beta = reader.beta("beta");
         let anchors = reader.positive("anchors", Dimension::Ratio);
         if anchors.is_some_and(|count| count.fract() != 0.0 || count > f64::from(MOST_ANCHORS)) {
             let hint = format!("write a whole number up to {MOST_ANCHORS}, or leave it empty");
@@ -324,12 +324,12 @@ mod tests {
     fn what_is_wrong_with_a_row_is_told_at_once() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("mine.csv");
-        let rows = "id,item,kind,for,hold,price_low,price_high,currency,price_source,price_confidence\n\
-                    a,strap,rope,at-wall,flexible,9,5,dollars,shop,stated\n";
+        let rows = "id,item,kind,for,hold,beta,price_low,price_high,currency,price_source,price_confidence\n\
+                    a,strap,rope,at-wall,flexible,30,9,5,dollars,shop,stated\n";
         std::fs::write(&path, rows).unwrap();
         let error = RestraintLibrary::restraints(Some(&path)).unwrap_err();
         let told: Vec<String> = error.into_iter().map(|one| one.message).collect();
-        for column in ["kind", "period", "price_high", "currency"] {
+        for column in ["kind", "period", "beta", "price_high", "currency"] {
             let start = format!("column {column}:");
             assert!(told.iter().any(|one| one.starts_with(&start)), "{told:?}");
         }

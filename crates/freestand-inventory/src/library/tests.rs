@@ -233,7 +233,8 @@ fn all_problems_are_reported() {
         f,x,vendor-limit,operating,5,eleven,,,s,,stated\n\
         g,,vendor-limit,operating,5,11,,,s,1,sure\n\
         h,x,vendor-limit,operating,5,11,,,s,1,stated\n\
-        h,x,vendor-limit,operating,5,11,,,s,1,stated\n";
+        h,x,vendor-limit,operating,5,11,,,s,1,stated\n\
+        i,x,fragility,any,,,0.4,40,s,1,stated\n";
     let error = user(text).unwrap_err();
     let said = |line: usize, column: &str| {
         error
@@ -254,6 +255,7 @@ fn all_problems_are_reported() {
         (7, "class"),
         (7, "confidence"),
         (9, "id"),
+        (10, "beta"),
     ] {
         assert!(said(line, column), "line {line}, column {column}: {error}");
     }

@@ -219,7 +219,7 @@ impl ToleranceEntry {
             pfa_median_m_s2,
             pfa_median_g: in_g(pfa_median_m_s2),
             pfv_median_m_s: reader.positive("pfv_median", Dimension::Velocity),
-            beta: reader.positive("beta", Dimension::Ratio),
+            beta: reader.beta("beta"),
             n_shocks: reader.count("n_shocks"),
             source: reader.text("source"),
             edition: reader.text("edition"),

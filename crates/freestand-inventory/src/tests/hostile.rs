@@ -16,25 +16,34 @@ fn with_height(height: &str) -> Vec<u8> {
     )
 }
 
-/// A CSV with one could not be read again.
+/// A CSV with one could not be read again, and a spreadsheet cannot open a workbook with one. The check of the list says
+/// where they are before.
 #[test]
-fn a_control_character_is_not_converted() {
+fn a_control_character_is_told_and_not_converted() {
     let mut headings = HEADINGS;
     headings[5] = "ma\u{1}ker";
     let book = workbook(
         &(row(1, &headings) + &row(2, &["a", "x", "0.5", "1800", "600", "y\u{2}"])),
         "",
     );
-    let error = convert_bytes(book, Path::new("objects"), None, Target::Csv).unwrap_err();
-    let said = "contains a control character, which no CSV allows";
-    let messages: Vec<&str> = error
-        .problems
-        .iter()
-        .map(|problem| problem.message.as_str())
-        .collect();
+    for target in [Target::Csv, Target::Xlsx] {
+        let error = convert_bytes(book.clone(), Path::new("objects"), None, target).unwrap_err();
+        let said = "contains a control character, which nobody sees and most programs refuse";
+        let messages: Vec<&str> = error
+            .problems
+            .iter()
+            .map(|problem| problem.message.as_str())
+            .collect();
+        assert!(
+            messages.len() == 2 && messages.iter().all(|one| one.ends_with(said)),
+            "{messages:?}"
+        );
+    }
+    let lines = found(book);
+    assert_eq!(lines.len(), 1, "{lines:?}");
     assert!(
-        messages.len() == 2 && messages.iter().all(|one| one.ends_with(said)),
-        "{messages:?}"
+        lines[0].starts_with("doubt: unprintable: ma ker: 2 cells (F1, F2)"),
+        "{lines:?}"
     );
 }
 

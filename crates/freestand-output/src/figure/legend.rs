@@ -86,7 +86,16 @@ const ROW_PX: f64 = 21.0;
 const CHARACTER_SHARE: f64 = 0.6;
 
 fn width_px(entry: &Entry) -> f64 {
-    SIGN_PX + GAP_PX + CHARACTER_SHARE * f64::from(TEXT_PX) * entry.words.chars().count() as f64
+    SIGN_PX + GAP_PX + words_px(&entry.words, TEXT_PX)
+}
+
+/// About the width of a text of this size; letters of East Asia are as wide as they are high.
+pub(super) fn words_px(text: &str, size_px: u32) -> f64 {
+    let share = |letter: char| match letter {
+        '\u{1100}'.. => 1.0,
+        _ => CHARACTER_SHARE,
+    };
+    f64::from(size_px) * text.chars().map(share).sum::<f64>()
 }
 
 /// Adds the entries below the scene in as many centred rows as they need, and increases its height.

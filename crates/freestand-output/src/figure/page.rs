@@ -6,7 +6,7 @@ use kuva::render::axis::{add_axes_and_grid, add_labels_and_title};
 use kuva::render::layout::{ComputedLayout, Layout};
 use kuva::render::render::{Primitive, Scene, TextAnchor};
 
-use super::legend::{Entry, add_legend};
+use super::legend::{Entry, add_legend, words_px};
 use super::mark::Mark;
 use super::style::{TEXT_PX, WIDTH_PX};
 use super::{Figure, FigureError, mark, raster};
@@ -119,7 +119,10 @@ pub fn draw(page: Page) -> Result<Figure, FigureError> {
 
 /// Draws the axes of a panel and what is over them.
 fn add_panel(scene: &mut Scene, panel: Panel, (width_px, height_px): (f64, f64), clip: String) {
-    let layout = panel.layout.with_width(width_px).with_height(height_px);
+    let mut layout = panel.layout.with_width(width_px).with_height(height_px);
+    layout.title = layout
+        .title
+        .map(|title| within(&title, layout.title_size, width_px));
     let axes = ComputedLayout::from_layout(&layout);
     add_axes_and_grid(scene, &axes, &layout);
     add_labels_and_title(scene, &axes, &layout);
@@ -148,6 +151,23 @@ fn add_panel(scene: &mut Scene, panel: Panel, (width_px, height_px): (f64, f64),
     scene.add(Primitive::ClipEnd);
 }
 
+/// A text of this size in this width: what is too long ends with `…`, because it would be cut at the edge.
+fn within(text: &str, size_px: u32, width_px: f64) -> String {
+    if words_px(text, size_px) <= width_px {
+        return text.to_owned();
+    }
+    let mut short = String::new();
+    for letter in text.chars() {
+        short.push(letter);
+        if words_px(&short, size_px) + words_px("…", size_px) > width_px {
+            short.pop();
+            break;
+        }
+    }
+    // The half of an escaped `$` would begin a formula.
+    format!("{}…", short.trim_end_matches(['\\', ' ']))
+}
+
 /// Lets the drawing scale to the available width.
 fn with_view_box(svg: String, width: f64, height: f64) -> String {
     svg.replacen(
@@ -155,4 +175,46 @@ fn with_view_box(svg: String, width: f64, height: f64) -> String {
         &format!("<svg viewBox=\"0 0 {width} {height}\" "),
         1,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::style::{Axis, axes};
+
+    /// The whole of a short title is drawn; a long one fits its panel and says that it goes on.
+    #[test]
+    fn a_title_is_not_cut_at_the_edge() {
+        let width_px = panel_width_px(2);
+        assert_eq!(within("A-7 cabinet", 15, width_px), "A-7 cabinet");
+        let long = "A-7 a cabinet of the archive on the third floor, beside the window";
+        for text in [long.to_owned(), "保管庫の棚".repeat(9), "\\$".repeat(60)] {
+            let short = within(&text, 15, width_px);
+            assert!(short.ends_with('…') && !short.ends_with("\\…"), "{short}");
+            assert!(words_px(&short, 15) <= width_px, "{short}");
+            // No shorter than it must be: two letters and the half of a `$` are left over at most.
+            assert!(words_px(&short, 15) > width_px - 60.0, "{short}");
+        }
+        let axis = || Axis {
+            from: 0.0,
+            to: 1.0,
+            step: Some(0.5),
+            label: String::new(),
+        };
+        let panel = || Panel {
+            marks: Vec::new(),
+            layout: axes(axis(), axis()).with_title(long),
+        };
+        let drawn = draw(Page {
+            name: "titles".to_owned(),
+            title: String::new(),
+            caption: String::new(),
+            panels: vec![panel(), panel()],
+            columns: 2,
+            row_heights_px: vec![200.0],
+            legend: Vec::new(),
+        });
+        let svg = drawn.unwrap().svg;
+        assert!(svg.contains("A-7 a cabinet of the archive") && !svg.contains("window"));
+    }
 }

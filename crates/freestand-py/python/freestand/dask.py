@@ -32,7 +32,7 @@ except ImportError as error:
 from ._convert import PathLike, bad, warn
 from ._convert import inventory as as_file
 from ._convert import study as study_given
-from ._convert import MAX_THREADS, whole
+from ._convert import MAX_THREADS, flag, whole
 from ._errors import FreestandError, Interrupted, ReadError, SolveError, StudyError
 from ._results import AssessResult, version
 
@@ -68,6 +68,7 @@ def assess(
     client: Any = None,
     retries: int = 5,
     threads: int | None = None,
+    allow_recalled: bool = False,
 ) -> AssessResult:
     """Which objects of an inventory must be restrained, calculated by the workers of a Dask cluster.
 
@@ -77,7 +78,7 @@ def assess(
     one, or else one with a local worker. Each thread of a worker calculates one shard at a time, in a child
     process with `threads` threads (default 1). `shards`: by default 4 for each thread of the workers that
     are connected now, each of at least 200 objects. A shard that fails is calculated again; after `retries` failures
-    it is reported, when the other shards are finished. Call the function again with the same arguments to
+    it is reported, when the other shards are finished. `allow_recalled` is as in `freestand.assess`. Call the function again with the same arguments to
     continue: finished shards are kept in `<out>-plan`, which is removed at the end.
     """
     target = _folder(out)
@@ -86,13 +87,14 @@ def assess(
     threads = whole("threads", threads, 1, MAX_THREADS) or 1
     retries = whole("retries", retries, 1) or 1
     seed = whole("seed", seed, 0, MAX_SEED)
+    is_recalled = bool(flag("allow_recalled", allow_recalled))
     _check_list(inventory)
     with _client(client) as client:
         with _study_file(study) as study_path, as_file(inventory) as listed:
             shards = _plan(plan, study_path, listed.path, seed, shards, client)
         _check_workers(client, plan)
         _run_all(client, plan, shards, threads, retries)
-    result = AssessResult._of(listed.named(_merge(plan, target)))
+    result = AssessResult._of(listed.named(_merge(plan, target, is_recalled)))
     result._in(target, None)
     # The results contain all that the shards wrote.
     shutil.rmtree(plan, ignore_errors=True)
@@ -297,8 +299,9 @@ def _shard(plan: str, index: int, threads: int, key: str) -> dict[str, Any]:
     return {name: report[name] for name in ("index", "rows", "sha256", "seconds")}
 
 
-def _merge(plan: Path, out: Path) -> str:
-    done = _call(["shard", "merge", str(plan), "--out", str(out)])
+def _merge(plan: Path, out: Path, is_recalled: bool) -> str:
+    recalled = ["--allow-recalled"] if is_recalled else []
+    done = _call(["shard", "merge", str(plan), "--out", str(out), *recalled])
     document = _document(done, SolveError, (0, 1), "the shards cannot be merged")
     if "missing" in document:
         text = f"the results of shards {document['missing'][:LISTED]} disappeared before the merge"

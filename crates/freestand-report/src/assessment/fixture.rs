@@ -60,7 +60,7 @@ pub(super) fn head(total: usize) -> Head {
         ],
         one_line: "Melbourne (AS 1170.4-2007, site class De, 500 years); Main, 30 storeys, 90 m high".into(),
         facts: vec![("Period of the building".into(), "3.1 s".into()), ("Seed of the motions".into(), "seed 1".into())],
-        problems: vec!["error: unreadable: Height: 1 cell (D2)".into()],
+        problems: vec!["error: unreadable: Height: 1 cell (D2); hint: give a mapping file (`columns`)".into()],
         most_important: vec!["The building stays elastic.".into()],
         assumed_columns: vec![("width", 4)],
         assumptions: vec![

@@ -148,7 +148,7 @@ fn few_worlds(study: &Study, inventory: &Inventory) -> Option<String> {
 
 fn recalled_place(study: &Study) -> Option<String> {
     let place = study.ground.code_spectrum()?.approximate_place()?;
-    Some(format!("hazard of {}", place.name))
+    Some(format!("hazard of {}", place.short_name()))
 }
 
 /// The name of the place whose hazard was used.

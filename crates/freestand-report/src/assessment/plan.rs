@@ -13,7 +13,7 @@ use freestand_risk::budget::{
 };
 
 use super::sheet_cell::SheetCell;
-use super::words::{amount, long, probability};
+use super::words::{amount, label, long, probability};
 use crate::table::table as text_table;
 
 /// The file of the plan.
@@ -100,6 +100,29 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
             false => "what avoids most falls",
         }
     ));
+    let left = [
+        (Planned::LifeSafety, "their fall may hurt somebody"),
+        (
+            Planned::Pays,
+            "what their restraint saves is more than it costs",
+        ),
+        (Planned::AvoidsFalls, "their restraint avoids falls"),
+    ];
+    for (why, because) in left {
+        let objects = plan.left_and_planned(why);
+        if objects > 0 {
+            said.push(format!(
+                "Planned although the verdict is leave: {}, because {because}.",
+                counted(objects as usize, "object")
+            ));
+        }
+    }
+    if plan.not_restrained > 0 {
+        said.push(format!(
+            "Not planned although the verdict is restrain: {}. {ALTERNATIVES_NAME} says why of each option.",
+            counted(plan.not_restrained as usize, "object")
+        ));
+    }
     said
 }
 
@@ -225,9 +248,10 @@ fn after(row: &PlanRow) -> String {
 }
 
 /// The headings of a table of options, and whether each is of numbers.
-const HEADINGS: [(&str, bool); 9] = [
+const HEADINGS: [(&str, bool); 10] = [
     ("object", false),
     ("item", false),
+    ("verdict", false),
     ("life safety", false),
     ("option", false),
     ("cost", true),
@@ -237,7 +261,7 @@ const HEADINGS: [(&str, bool); 9] = [
     ("saves a year", true),
 ];
 
-fn cells(row: &PlanRow) -> [String; 9] {
+fn cells(row: &PlanRow) -> [String; 10] {
     let many = match row.quantity {
         1 => String::new(),
         many => format!(" × {many}"),
@@ -256,6 +280,7 @@ fn cells(row: &PlanRow) -> [String; 9] {
     [
         shorten(&row.id),
         format!("{}{many}", shorten(&row.item)),
+        label(row.decision).to_owned(),
         rating,
         row.measure.clone(),
         amount(row.cost[1]),
@@ -329,7 +354,7 @@ fn with_currency(head: &str, plan: &BudgetPlan) -> String {
 /// The plan for the report, with `orders`, the links to the work orders.
 pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
     let mut html: String = sentences(plan).iter().map(|said| paragraph(said)).collect();
-    let heads = |more: &[&str]| -> Vec<Cell> {
+    let heads = |why: &str| -> Vec<Cell> {
         let own = HEADINGS.iter().map(|(head, is_number)| {
             let head = with_currency(head, plan);
             if *is_number {
@@ -338,9 +363,9 @@ pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
                 words(&head)
             }
         });
-        own.chain(more.iter().map(|head| words(head))).collect()
+        own.chain([words(why)]).collect()
     };
-    let row = |row: &PlanRow, with_standing: bool| -> Vec<Cell> {
+    let row = |row: &PlanRow| -> Vec<Cell> {
         let own = cells(row).into_iter().zip(HEADINGS);
         let own = own.map(|(text, (_, is_number))| {
             if is_number {
@@ -349,23 +374,18 @@ pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
                 words(&text)
             }
         });
-        let standing = with_standing.then(|| words(standing_words(row.standing)));
-        own.chain(standing).collect()
+        own.chain([words(standing_words(row.standing))]).collect()
     };
-    let planned: Vec<Vec<Cell>> = plan.planned().map(|one| row(one, false)).collect();
+    let planned: Vec<Vec<Cell>> = plan.planned().map(row).collect();
     if !planned.is_empty() {
-        html.push_str(&table("", &[heads(&[])], &planned));
+        html.push_str(&table("", &[heads("why")], &planned));
     }
     html.push_str(orders);
     let rest: Vec<&PlanRow> = plan.rows.iter().filter(|row| !row.is_planned()).collect();
     if !rest.is_empty() {
         let mut alternatives = heading("Alternatives, and what is not planned");
-        let rows: Vec<Vec<Cell>> = rest
-            .iter()
-            .take(MOST_ROWS)
-            .map(|one| row(one, true))
-            .collect();
-        alternatives.push_str(&table("", &[heads(&["why not"])], &rows));
+        let rows: Vec<Vec<Cell>> = rest.iter().take(MOST_ROWS).map(|one| row(one)).collect();
+        alternatives.push_str(&table("", &[heads("why not")], &rows));
         if rest.len() > MOST_ROWS {
             alternatives.push_str(&paragraph(&format!(
                 "All of them are in {ALTERNATIVES_NAME}."
@@ -418,6 +438,7 @@ pub(super) fn sheet_rows(plan: &BudgetPlan) -> impl Iterator<Item = Vec<SheetCel
             text(&row.item),
             text(&row.place),
             number(Some(f64::from(row.quantity))),
+            text(label(row.decision)),
             text(row.life_safety.rating.map_or("", Rating::name)),
             text(&row.measure),
             text(&row.measure_item),
@@ -447,6 +468,7 @@ pub(super) fn sheet_headings(plan: &BudgetPlan) -> Vec<(String, f64)> {
         plain("item", 34.0),
         plain("place", 22.0),
         plain("quantity", 9.0),
+        plain("verdict", 12.0),
         plain("life safety", 11.0),
         plain("option", 16.0),
         plain("what it is", 40.0),

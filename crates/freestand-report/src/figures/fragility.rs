@@ -52,25 +52,12 @@ pub fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureError> {
             words: state.name().to_owned(),
         }
     });
-    let rest = match report.objects.len().saturating_sub(MAX_PANELS) {
-        0 => String::new(),
-        more => {
-            format!(
-                " {} not shown.",
-                if more == 1 {
-                    "1 object is".to_owned()
-                } else {
-                    format!("{more} objects are")
-                }
-            )
-        }
-    };
     draw(Page {
         name: "fragility".to_owned(),
-        title: format!("Fragility of {}", counted(report.objects.len(), "object")),
+        title: title(report.objects.len()),
         caption: format!(
             "Probability that an object reaches each limit state, against {}. Lines: fitted curves; thin lines: the 95 % \
-             interval of the median; markers: the share of runs, or the capacities of the motions.{rest}",
+             interval of the median; markers: the share of runs, or the capacities of the motions.",
             report.table.measure.name()
         ),
         panels,
@@ -78,6 +65,14 @@ pub fn curves_figure(report: &FragilityReport) -> Result<Figure, FigureError> {
         row_heights_px: vec![PANEL_PX; rows],
         legend: legend.collect(),
     })
+}
+
+/// The title says how many objects are left out, since a picture is seen without its caption.
+fn title(objects: usize) -> String {
+    match objects.saturating_sub(MAX_PANELS) {
+        0 => format!("Fragility of {}", counted(objects, "object")),
+        more => format!("Fragility of {MAX_PANELS} objects; {more} more in fragility.csv"),
+    }
 }
 
 pub(super) fn place(state: LimitState) -> usize {
@@ -160,4 +155,15 @@ fn panel(object: &ObjectFragility, measure: &str) -> Panel {
     let mut layout = axes(x, y).with_title(plain(&shorten(&object.id)));
     layout.x_tick_format = plain_ticks(to);
     Panel { marks, layout }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn objects_that_are_not_drawn_are_counted() {
+        assert_eq!(title(6), "Fragility of 6 objects");
+        assert_eq!(title(7), "Fragility of 6 objects; 1 more in fragility.csv");
+    }
 }

@@ -10,7 +10,7 @@ use freestand_output::figure::style::{
 use freestand_output::figure::{Figure, FigureError};
 use freestand_risk::budget::{LossOfSite, SitesLosses, Together};
 
-use super::risk::scale;
+use super::risk::{scale, stairs};
 
 /// Height of the panels \[px\].
 const PANEL_PX: f64 = 300.0;
@@ -36,8 +36,8 @@ pub fn losses_figure(losses: &SitesLosses) -> Result<Figure, FigureError> {
         name: "losses".to_owned(),
         title: "Losses of all sites".to_owned(),
         caption: format!(
-            "Left: the loss of all sites in one earthquake that is reached once in so many years, from {} simulated years. The \
-             loss a year is the same for all lines. Right, where coordinates are known: the sites; the area of a dot is \
+            "Left: the loss of all sites in one earthquake that is reached once in so many years, from {} simulated years; a step \
+             begins at a return period that was counted. The loss a year is the same for all lines. Right, where coordinates are known: the sites; the area of a dot is \
              proportional to the loss a year.",
             losses.simulated_years
         ),
@@ -84,9 +84,9 @@ fn curves(losses: &SitesLosses, legend: &mut Vec<Entry>) -> Panel {
             .rows
             .iter()
             .filter(|row| row.dependence == dependence);
-        let points: Vec<(f64, f64)> = own
-            .map(|row| (f64::from(row.return_period_years), factor * row.event.loss))
-            .collect();
+        // Between two return periods nothing was counted: a loss is drawn from its own on, as in the figure of one site.
+        let known = own.map(|row| (f64::from(row.return_period_years), factor * row.event.loss));
+        let points = stairs(known, f64::from(to));
         if points.is_empty() {
             continue;
         }

@@ -102,11 +102,10 @@ pub(super) fn scale(largest: f64) -> (f64, &'static str) {
         .unwrap_or((1.0, ""))
 }
 
-/// The stairs of a curve: a loss from its return period on, up to the next one.
-fn stairs(curve: &[LossPoint], to: f64, factor: f64) -> Vec<(f64, f64)> {
+/// The stairs of a curve of return periods and losses: a loss from its return period on, up to the next one.
+pub(super) fn stairs(curve: impl Iterator<Item = (f64, f64)>, to: f64) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = Vec::new();
-    for point in curve.iter().filter(|point| point.annual_rate > 0.0) {
-        let (years, loss) = (1.0 / point.annual_rate, factor * point.loss);
+    for (years, loss) in curve {
         if years > to {
             break;
         }
@@ -153,7 +152,9 @@ fn losses(portfolio: &Portfolio, currency: &str) -> Panel {
     layout.y_tick_format = plain_ticks(top);
     let of = |curve: &[LossPoint], i: usize| {
         let style = curve_style(i);
-        line(&stairs(curve, to, factor), style.colour, 2.0, style.dash)
+        let known = curve.iter().filter(|point| point.annual_rate > 0.0);
+        let known = known.map(|point| (1.0 / point.annual_rate, factor * point.loss));
+        line(&stairs(known, to), style.colour, 2.0, style.dash)
     };
     Panel {
         marks: vec![of(&portfolio.independent, 1), of(&portfolio.curve, 0)],
@@ -206,9 +207,8 @@ mod tests {
 
     #[test]
     fn a_loss_begins_at_its_return_period() {
-        let point = |loss, annual_rate| LossPoint { loss, annual_rate };
-        let curve = [point(1e3, 0.1), point(5e3, 0.01), point(9e3, 1e-6)];
-        let drawn = stairs(&curve, 1000.0, 1e-3);
+        let curve = [(10.0, 1.0), (100.0, 5.0), (1e6, 9.0)];
+        let drawn = stairs(curve.into_iter(), 1000.0);
         assert_eq!(
             drawn,
             [

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use freestand::fragility::{LimitState, OutcomeClass, line_through};
 use freestand_input::quantity::shorten;
-use freestand_input::words::{counted, significant};
+use freestand_input::words::significant;
 use freestand_output::figure::legend::{Entry, Sign};
 use freestand_output::figure::mark::{Mark, MarkerShape};
 use freestand_output::figure::page::{Page, Panel, columns, draw};
@@ -69,18 +69,12 @@ pub fn ida_figure(report: &RunsReport) -> Result<Figure, FigureError> {
             words: "ceiling".to_owned(),
         });
     }
-    let rest = report.objects.len().saturating_sub(MAX_OBJECTS);
-    let rest = if rest > 0 {
-        format!(" {} not shown.", of_objects(rest))
-    } else {
-        String::new()
-    };
     draw(Page {
         name: "ida".to_owned(),
-        title: "Runs of every motion".to_owned(),
+        title: titled("Runs of every motion", report.objects.len()),
         caption: format!(
             "Largest rotation over α{} of objects that stay upright, against {}: one line for each motion. A square: \
-             the lowest intensity at which a motion overturns the object.{rest}",
+             the lowest intensity at which a motion overturns the object.",
             match (has_shock, has_ceiling) {
                 (true, true) => ", and the shock with its ceiling,",
                 (true, false) => ", and the shock,",
@@ -95,9 +89,12 @@ pub fn ida_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     })
 }
 
-fn of_objects(count: usize) -> String {
-    let verb = if count == 1 { "is" } else { "are" };
-    format!("{} {verb}", counted(count, "object"))
+/// A title, with how many objects are left out: a picture is seen without its caption.
+fn titled(title: &str, objects: usize) -> String {
+    match objects > MAX_OBJECTS {
+        true => format!("{title}: the first {MAX_OBJECTS} of {objects} objects"),
+        false => title.to_owned(),
+    }
 }
 
 /// An axis that holds all runs up to the strongest motion that overturns the object.
@@ -268,7 +265,7 @@ pub fn measures_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let count = panels.len();
     draw(Page {
         name: "measures".to_owned(),
-        title: "Dispersion by measure".to_owned(),
+        title: titled("Dispersion by measure", first.len()),
         caption: "Dispersion β of the capacities of the motions, by measure (for a cloud: of the demands about the \
                   line). Smaller is better: the measure alone predicts more."
             .to_owned(),
@@ -320,7 +317,10 @@ pub fn residuals_figure(report: &RunsReport) -> Result<Figure, FigureError> {
     let rows = shown.len().max(1);
     draw(Page {
         name: "residuals".to_owned(),
-        title: format!("What {} does not explain", plain(&measure)),
+        title: titled(
+            &format!("What {} does not explain", plain(&measure)),
+            first.map_or(0, |one| one.objects.len()),
+        ),
         caption: format!(
             "ln of the capacity of each motion by {measure} minus the mean (for a cloud: ln of the demand minus the \
              line), against the mean period and PGV/PGA of the motion, of the most severe limit state that all \

@@ -177,6 +177,10 @@ pub(crate) fn hazard_doubt(doubt: &HazardDoubt) -> String {
             "hazard: the site of the file is {} km from the coordinates that were asked for",
             number(f64::from(*metres) / 1e3, 2)
         ),
+        HazardDoubt::OtherThanMean(statistic) => format!(
+            "hazard: the file is {statistic} of its hazard model, not the mean: yearly rates and losses are means only with \
+             the mean"
+        ),
         HazardDoubt::SlopeOfPlace => {
             "the hazard goes through the return periods of the place: the interval of a rate allows for a slope that is \
              smaller or larger by 0.5; without runs it is only the range that follows from this, not a 95 % interval"

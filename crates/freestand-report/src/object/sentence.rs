@@ -503,16 +503,19 @@ impl Answer {
                 let (shock, peak) = apart(shock_g, withstands.peak_g);
                 format!("; its landings reach {shock} g, under the {peak} g that it withstands")
             }
-            Some(shock_g) if exceeded == 0 => {
-                format!(
-                    "; its landings reach {} g and stay below the {limit} that it withstands",
-                    number(shock_g, 2)
-                )
-            }
             Some(shock_g) => {
+                let shock = number(shock_g, 2);
+                // A pulse that was survived says more than its peak: the spectra are compared, and the peaks may differ the
+                // other way.
+                let compared = match (withstands.duration_s, exceeded) {
+                    (None, 0) => "and stay below the",
+                    (None, _) => "and exceed the",
+                    (Some(_), 0) => "with shock response spectra that stay below that of the",
+                    (Some(_), _) => "with shock response spectra that exceed that of the",
+                };
+                let times = if exceeded == 0 { "" } else { &times };
                 format!(
-                    "; its landings reach {} g and exceed the {limit} that it withstands{times}",
-                    number(shock_g, 2)
+                    "; its landings reach {shock} g {compared} {limit} that it withstands{times}"
                 )
             }
             None if self.kind == AnswerKind::DoesNotRock => format!("; it withstands {limit}"),

@@ -266,7 +266,7 @@ fn recalled(case: &Case) -> Vec<String> {
     let place = case.target.as_ref().and_then(Target::approximate_place);
     unread
         .map(|one| format!("{clause}: {}", one.what))
-        .chain(place.map(|place| format!("hazard of {}", place.name)))
+        .chain(place.map(|place| format!("hazard of {}", place.short_name())))
         .collect()
 }
 

@@ -1,6 +1,7 @@
 //! `restraint.xlsx`: all objects of a list in one table, in the units of the person who reads it, and what
 //! there is to know beside them. Text is written as text: no cell of a list becomes a formula.
 
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::UnitSystem;
 use rust_xlsxwriter::{
@@ -200,7 +201,7 @@ fn notes(report: &RestrainListReport) -> Result<Worksheet, XlsxError> {
             "" => open.what.clone(),
             value => format!("{} (used: {value})", open.what),
         });
-    let titled = |title: &'static str| move |text: String| (title, text);
+    let titled = |title: &'static str| move |text: String| (title, KeyStyle::Flag.shown(&text));
     let capacity = report.has_capacity().then(|| DESIGN_CAPACITY.to_owned());
     let lines = report
         .provenance()

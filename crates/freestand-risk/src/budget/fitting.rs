@@ -82,7 +82,7 @@ pub(super) fn to_fit(row: &Row, study: &Study, units: UnitSystem) -> ToFit {
             .design_force()
             .cloned()
             .or_else(|| code_force(study, item)),
-        approximate_place: approximate.map(|place| place.name.to_string()),
+        approximate_place: approximate.map(|place| place.short_name()),
         units,
     }
 }

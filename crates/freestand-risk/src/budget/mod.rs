@@ -349,6 +349,8 @@ answer_of!(PlanRow as row {
     kind: &'static str = row.kind.name();
     /// Why it is in the plan, or not.
     status: &'static str = row.standing.name();
+    /// The verdict of the assessment.
+    decision: &'static str = row.decision.name();
     quantity: usize = row.quantity as usize;
     /// For all of them.
     cost: f64 = row.cost[1];
@@ -420,9 +422,12 @@ pub struct BudgetPlan {
     pub unfunded: Unfunded,
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     pub without_measure: u32,
+    /// Objects whose verdict is to restrain them, for which there are options, and none is planned.
+    pub not_restrained: u32,
     /// Whether no plan is better.
     pub is_optimal: bool,
-    /// Every measure for every object: those of the plan first, life safety first, then by benefit over cost.
+    /// Every measure for every object: those of the plan first, by life safety, then by the verdict, then by benefit
+    /// over cost.
     pub rows: Vec<PlanRow>,
 }
 
@@ -430,6 +435,14 @@ impl BudgetPlan {
     /// The measures of the plan.
     pub fn planned(&self) -> impl Iterator<Item = &PlanRow> {
         self.rows.iter().filter(|row| row.is_planned())
+    }
+
+    /// Objects that may be left as they are and that are planned for this reason.
+    pub fn left_and_planned(&self, why: Planned) -> u32 {
+        self.planned()
+            .filter(|row| row.decision == Decision::Leave && row.standing == Standing::In(why))
+            .map(|row| row.quantity)
+            .sum()
     }
 }
 
@@ -447,6 +460,8 @@ answer_of!(BudgetPlan as plan {
     unfunded_life_safety_cost: f64 = plan.unfunded.cost;
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     life_safety_without_measure: usize = plan.without_measure as usize;
+    /// Objects whose verdict is to restrain them, for which there are options, and none is planned.
+    not_restrained: usize = plan.not_restrained as usize;
     is_optimal: bool = plan.is_optimal;
 });
 
@@ -716,7 +731,7 @@ impl Budget {
                 .iter()
                 .fold(0.0, |sum, worth| sum + worth.cost),
         };
-        let mut without_measure = 0;
+        let (mut without_measure, mut not_restrained) = (0, 0);
         for object in 0..objects {
             let mut own = rows.iter().filter(|(place, _)| *place == object);
             let is_rated = own.clone().any(|(_, row)| {
@@ -725,6 +740,12 @@ impl Budget {
             let helps = |row: &PlanRow| {
                 row.effect.is_some() && row.standing != Standing::Out(NotPlanned::AvoidsNoFalls)
             };
+            let mut all = own.clone();
+            if !chosen.contains_key(&object)
+                && all.any(|(_, row)| row.decision == Decision::Restrain)
+            {
+                not_restrained += quantity(object);
+            }
             if is_rated && !own.any(|(_, row)| helps(row)) {
                 without_measure += quantity(object);
             }
@@ -748,6 +769,8 @@ impl Budget {
                         .life_safety
                         .rating
                         .cmp(&a.life_safety.rating)
+                        // What pays beside what must be done comes after it: both are within the budget.
+                        .then(urgency(a.decision).cmp(&urgency(b.decision)))
                         .then(ratio(b).total_cmp(&ratio(a))),
                     false => std::cmp::Ordering::Equal,
                 })
@@ -772,6 +795,7 @@ impl Budget {
             converted,
             unfunded,
             without_measure,
+            not_restrained,
             is_optimal: spent.is_optimal(),
             rows,
         };
@@ -843,6 +867,11 @@ fn measure(entry: &RestraintEntry) -> Option<Measure> {
         median_n: entry.capacity_n?,
         beta: entry.beta,
     }))
+}
+
+/// The place of a verdict among all, the most urgent first.
+fn urgency(decision: Decision) -> Option<usize> {
+    Decision::ALL.iter().position(|one| *one == decision)
 }
 
 /// Falls a year from their probabilities at several intensities, and whether there may be more.

@@ -283,3 +283,37 @@ fn a_restraint_that_may_give_way_promises_nothing() {
     one.effect.as_mut().unwrap().exceeded_ratio = Some(0.02);
     assert_eq!(one.after_high(), Some(0.04));
 }
+
+/// What may be left as it is comes after what must be restrained, however well it pays, unless people need it; and both
+/// are counted.
+#[test]
+fn a_plan_puts_what_must_be_restrained_first() {
+    let budget = of_list(LIST, &request("15 NZD")).unwrap();
+    let mut random = object_stream(7, 0, 4, Group::Restraint, 0);
+    let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
+    // In the order of the list; what each costs and what it saves.
+    let rows = [
+        ("pays best", None, Decision::Leave, 4.0, 400.0),
+        ("pays", None, Decision::Restrain, 4.0, 40.0),
+        ("people", Some(Rating::High), Decision::Leave, 4.0, 0.0),
+        ("too dear", None, Decision::Restrain, 14.0, 20.0),
+    ];
+    let rows = rows.into_iter().enumerate();
+    let rows = rows.map(|(object, (id, rating, decision, cost, benefit))| {
+        let mut row = row(object, 0, &mut draw);
+        row.id = id.to_owned();
+        row.quantity = 2;
+        row.life_safety.rating = rating;
+        row.decision = decision;
+        row.cost = [cost; 3];
+        row.benefit = Some(benefit);
+        (object, row)
+    });
+    let plan = budget.plan(priced(rows.collect(), 4, true), &no_progress);
+    let planned: Vec<&str> = plan.planned().map(|row| row.id.as_str()).collect();
+    assert_eq!(planned, ["people", "pays", "pays best"]);
+    assert_eq!(plan.left_and_planned(Planned::LifeSafety), 2);
+    assert_eq!(plan.left_and_planned(Planned::Pays), 2);
+    assert_eq!(plan.left_and_planned(Planned::AvoidsFalls), 0);
+    assert_eq!(plan.not_restrained, 2);
+}

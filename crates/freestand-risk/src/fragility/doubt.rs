@@ -114,6 +114,8 @@ pub enum HazardDoubt {
         /// The distance \[m\].
         metres: u32,
     },
+    /// The file is this in place of the mean of the models: `quantile-0.95`.
+    OtherThanMean(String),
     /// It consists of the design accelerations of a code.
     DesignAccelerations,
     /// It goes through the few return periods of a place.

@@ -445,6 +445,8 @@ fn downloaded(
         away.map(|km| HazardDoubt::SiteAway {
             metres: (1e3 * km).round() as u32,
         }),
+        site.other_than_mean()
+            .map(|statistic| HazardDoubt::OtherThanMean(shorten(statistic))),
     ];
     Ok(MeasuredHazard {
         hazard,

@@ -23,21 +23,53 @@ const FAR_AWAY_KM: f64 = 1000.0;
 /// Why a place has no hazard.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NotFound {
-    /// Its name is not in the tables; names that a slip of the pen makes of it.
-    Unknown(Vec<String>),
-    /// A city without values: its name, and the nearest places with values, each with its distance \[km\].
-    NoValues(String, Vec<(String, f64)>),
+    /// Its name is not in the tables; names that a slip of the pen makes of it, and what is known of the places of its
+    /// country that are not in the tables.
+    Unknown(Vec<String>, Option<Unlisted>),
+    /// A city without values: its name, the nearest places with values, each with its distance \[km\], and what is known
+    /// of the places of its country that are not in the tables.
+    NoValues(String, Vec<(String, f64)>, Option<Unlisted>),
     /// Several places have this name: their names in full.
     Several(Vec<String>),
-    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], and the coordinates in the
-    /// other order, where places are near those alone.
-    Far(Vec<(String, f64)>, Option<Coordinates>),
+    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], what is known of the
+    /// places that are not in the tables in the country of the first of them, and the coordinates in the other order, where
+    /// places are near those alone.
+    Far(Vec<(String, f64)>, Option<Unlisted>, Option<Coordinates>),
     /// Coordinates that do not exist.
     NoCoordinates,
     /// Coordinates that exist in the other order alone.
     Swapped(Coordinates),
     /// One value for the place would be wrong: why.
     Refused(&'static str),
+}
+
+/// What is known of the places of a country that are not in the tables.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unlisted {
+    /// Those of Spain have an acceleration below the least that the annex of NCSE-02 lists.
+    Spain,
+}
+
+impl Unlisted {
+    fn of(country: &str) -> Option<Self> {
+        (country == "Spain").then_some(Self::Spain)
+    }
+
+    /// Of a place that was written with its country last, in canonical words.
+    fn of_words(wanted: &str) -> Option<Self> {
+        let last = wanted.rsplit(' ').next()?;
+        Some(Self::Spain).filter(|_| is_country(last, "Spain"))
+    }
+
+    /// # Reference
+    /// NCSE-02 (Real Decreto 997/2002, BOE 244), annex 1: the municipalities whose a_b is 0.04 g or more.
+    fn words(self) -> &'static str {
+        match self {
+            Self::Spain => {
+                "NCSE-02 lists only the municipalities of Spain with a_b of 0.04 g or more: one that it does not list has less"
+            }
+        }
+    }
 }
 
 /// Places for which one value would be wrong, and why.
@@ -88,12 +120,17 @@ impl NotFound {
             names.join(" or ")
         };
         match self {
-            Self::Unknown(near) => {
+            Self::Unknown(near, unlisted) => {
                 let message = format!("{shown} is not in the table of places");
-                let hint = if near.is_empty() {
-                    format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}")
-                } else {
-                    format!("did you mean {}?", quoted(near))
+                let hint = match (near.is_empty(), unlisted) {
+                    (true, None) => {
+                        format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}")
+                    }
+                    (true, Some(unlisted)) => format!("{}; {bring}; {LIST}", unlisted.words()),
+                    (false, None) => format!("did you mean {}?", quoted(near)),
+                    (false, Some(unlisted)) => {
+                        format!("did you mean {}? {}", quoted(near), unlisted.words())
+                    }
                 };
                 Problem::value(message, hint)
             }
@@ -101,31 +138,20 @@ impl NotFound {
                 let message = format!("{shown} is the name of {} places", names.len());
                 Problem::value(message, format!("say which: {}", quoted(names)))
             }
-            Self::NoValues(city, near) => {
+            Self::NoValues(city, near, unlisted) => {
                 let message = format!("no hazard is known for {city}");
-                let hint = match near.is_empty() {
-                    true => bring.to_owned(),
-                    false => format!("the nearest places with values are {}; {bring}", away(near)),
-                };
-                Problem::value(message, hint)
+                Problem::value(message, without_values(near, *unlisted, bring))
             }
-            Self::Far(_, Some(swapped)) => Problem::value(
+            Self::Far(_, _, Some(swapped)) => Problem::value(
                 format!("no hazard is known at {shown}"),
                 format!(
                     "the latitude comes first: did you mean \"{}\"?",
                     swapped.words()
                 ),
             ),
-            Self::Far(near, None) => {
+            Self::Far(near, unlisted, None) => {
                 let message = format!("no hazard is known at {shown}");
-                if near.is_empty() {
-                    return Problem::value(message, bring);
-                }
-                let near = away(near);
-                Problem::value(
-                    message,
-                    format!("the nearest places with values are {near}; {bring}"),
-                )
+                Problem::value(message, without_values(near, *unlisted, bring))
             }
             Self::Swapped(at) => Problem::value(
                 format!("{shown} are no coordinates"),
@@ -138,6 +164,19 @@ impl NotFound {
             Self::Refused(why) => Problem::value(*why, bring),
         }
     }
+}
+
+/// What serves in place of a place without values, near which these have some.
+fn without_values(near: &[(String, f64)], unlisted: Option<Unlisted>, bring: &str) -> String {
+    let unlisted = unlisted.map(|unlisted| unlisted.words().to_owned());
+    let near =
+        (!near.is_empty()).then(|| format!("the nearest places with values are {}", away(near)));
+    let all: Vec<String> = unlisted
+        .into_iter()
+        .chain(near)
+        .chain([bring.to_owned()])
+        .collect();
+    all.join("; ")
 }
 
 /// Places with their distances.
@@ -183,14 +222,15 @@ fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> 
         return Some(Err(NotFound::Several(names)));
     }
     let name = format!("{}, {}", city.name, city.country);
+    let unlisted = Unlisted::of(&city.country);
     Some(at(city.at, code).map_err(|why| match why {
-        NotFound::Far(near, _) if near.is_empty() => {
+        NotFound::Far(near, ..) if near.is_empty() => {
             let first = nearest(city.at).into_iter().next();
             let first = first.and_then(|place| Some((place.full_name(), place.distance_km?)));
             let first = first.filter(|(_, km)| *km <= FAR_AWAY_KM);
-            NotFound::NoValues(name, first.into_iter().collect())
+            NotFound::NoValues(name, first.into_iter().collect(), unlisted)
         }
-        NotFound::Far(near, _) => NotFound::NoValues(name, near),
+        NotFound::Far(near, ..) => NotFound::NoValues(name, near, unlisted),
         other => other,
     }))
 }
@@ -241,7 +281,8 @@ impl Place {
             found.retain(|(_, place)| place.hazard.code() == code);
         }
         let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
-            return of_city(&wanted, code).unwrap_or_else(|| Err(NotFound::Unknown(near(text))));
+            let unknown = || NotFound::Unknown(near(text), Unlisted::of_words(&wanted));
+            return of_city(&wanted, code).unwrap_or_else(|| Err(unknown()));
         };
         // A city of another country may be meant as well, a parish hardly.
         found.retain(|(other, place)| {
@@ -272,7 +313,7 @@ impl Place {
             return Err(NotFound::Several(names.chain(abroad).collect()));
         }
         if is_parish && first.names().any(|name| canonical(name) == wanted) {
-            return Err(NotFound::Unknown(vec![first.full_name()]));
+            return Err(NotFound::Unknown(vec![first.full_name()], None));
         }
         let mut meant = first.clone();
         if let PlaceHazard::Ntc2018 { at } = meant.hazard {
@@ -292,7 +333,7 @@ impl Place {
     }
 
     /// Its rank among the large cities, the largest being 0; `None`: it is none of them.
-    fn largest_rank(&self) -> Option<usize> {
+    pub(super) fn largest_rank(&self) -> Option<usize> {
         let here = self.coordinates?;
         cities().iter().position(|city| {
             city.country == self.country && city.at.distance_km(here) <= SAME_CITY_KM
@@ -591,7 +632,9 @@ fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
         };
         let is_swapped = || is_on_globe(swapped) && !self::told(&nearest(swapped)).is_empty();
         let swapped = (told.is_empty() && is_swapped()).then_some(swapped);
-        NotFound::Far(told, swapped)
+        let unlisted = near.first().filter(|_| !told.is_empty());
+        let unlisted = unlisted.and_then(|place| Unlisted::of(place.country));
+        NotFound::Far(told, unlisted, swapped)
     })
 }
 

@@ -15,7 +15,7 @@ pub use freestand_records::tables::hazard::{Coordinates, NTC_YEARS};
 
 pub use derived::Derived;
 pub(crate) use derived::{CONVERTED_YEARS, NotDerived};
-pub use find::{NotFound, coordinates, is_country, nearest, wanted_site};
+pub use find::{NotFound, Unlisted, coordinates, is_country, nearest, wanted_site};
 pub use grid::ntc_hazard;
 pub use rows::places;
 
@@ -417,6 +417,15 @@ impl Place {
             return self.name.to_string();
         }
         format!("{}, {}", self.name, self.whereabouts())
+    }
+
+    /// Its name in a sentence: with its province and country where it is a small municipality or a parish, of whose name
+    /// there may be others that the tables do not have.
+    pub fn short_name(&self) -> String {
+        match self.size != Size::City && self.largest_rank().is_none() {
+            true => self.told_name(),
+            false => self.name.to_string(),
+        }
     }
 
     /// Whether it is a point of a grid, whose name is its coordinates.

@@ -180,7 +180,7 @@ fn names_as_people_write_them() {
     };
     assert_eq!(
         Place::look_up("28.97, 41.01", None),
-        Err(NotFound::Far(Vec::new(), Some(istanbul)))
+        Err(NotFound::Far(Vec::new(), None, Some(istanbul)))
     );
 }
 
@@ -192,7 +192,7 @@ fn misspelt_names() {
     assert!(near("Welington").contains(&"Wellington".to_owned()));
     assert!(near("qqqqq").is_empty() && near("").is_empty());
     // A city without values is told with the nearest places that have them, not with one that only looks alike.
-    let Err(NotFound::NoValues(city, told)) = Place::look_up("Tbilisi", None) else {
+    let Err(NotFound::NoValues(city, told, None)) = Place::look_up("Tbilisi", None) else {
         panic!("values for Tbilisi");
     };
     assert_eq!(city, "Tbilisi, Georgia");
@@ -246,7 +246,7 @@ fn coordinates() {
         );
     }
     // Far from a town of a country without a grid: what is near, and how far away, but no value.
-    let Err(NotFound::Far(near, None)) = Place::look_up("40.0, 31.0", None) else {
+    let Err(NotFound::Far(near, None, None)) = Place::look_up("40.0, 31.0", None) else {
         panic!("a value between towns");
     };
     assert!(near.len() == 3 && near.windows(2).all(|two| two[0].1 <= two[1].1));
@@ -257,7 +257,7 @@ fn coordinates() {
     );
     assert_eq!(
         Place::look_up("0, -150", None),
-        Err(NotFound::Far(Vec::new(), None))
+        Err(NotFound::Far(Vec::new(), None, None))
     );
 }
 
@@ -365,6 +365,34 @@ fn names_of_spain() {
     );
 }
 
+/// What the annex does not list has less than 0.04 g: that is said wherever Spain is meant, and nowhere else.
+#[test]
+fn what_spain_does_not_list_has_little() {
+    for (written, is_in_spain) in [
+        ("Madrid, Spain", true),
+        ("Burgos", true),
+        ("40.4168, -3.7038", true),
+        ("Mieres, Asturias, Spain", true),
+        ("Nowhere, España", true),
+        ("Nowhere", false),
+        ("Tbilisi", false),
+    ] {
+        let why = Place::look_up(written, None).unwrap_err();
+        let problem = why.problem(Some("place"), written, "bring your own");
+        let hint = problem.hint.unwrap();
+        assert_eq!(
+            hint.contains("a_b of 0.04 g or more"),
+            is_in_spain,
+            "{hint}"
+        );
+        assert!(hint.contains("bring your own"), "{hint}");
+    }
+    // The other Mieres, a town in Asturias, is not listed: an answer says which one it is for.
+    assert_eq!(found("Mieres").short_name(), "Mieres, Girona, Spain");
+    assert_eq!(found("Granada").short_name(), "Granada");
+    assert_eq!(found("Sydney").short_name(), "Sydney");
+}
+
 /// A place does not win in silence over a larger city abroad: the name asks which, and the full names find each.
 #[test]
 fn a_name_of_a_larger_city_abroad() {
@@ -386,7 +414,7 @@ fn a_name_of_a_larger_city_abroad() {
         assert_eq!(found(written).country, country, "{written}");
     }
     assert!(
-        matches!(Place::look_up("Valencia, Venezuela", None), Err(NotFound::NoValues(city, _)) if city == "Valencia, Venezuela")
+        matches!(Place::look_up("Valencia, Venezuela", None), Err(NotFound::NoValues(city, _, None)) if city == "Valencia, Venezuela")
     );
     // Cordoba of Argentina is larger than that of Spain, and so is Cartagena of Colombia, which has values as well.
     assert!(

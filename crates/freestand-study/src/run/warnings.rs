@@ -43,8 +43,8 @@ pub(super) fn result_warnings(
 
     if matches!(&study.ground, Ground::Synthetic(ground) if ground.near_fault.is_some()) {
         warnings.push(
-            "the earthquake is near its fault, and the motions of a study have no velocity pulses: those of `assess` and \
-             `object` have"
+            "the earthquake is near its fault, and the motions of a study have no velocity pulses: those of a list and of one \
+             object have"
                 .to_owned(),
         );
     }

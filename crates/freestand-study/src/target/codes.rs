@@ -40,7 +40,7 @@ pub(super) fn fact(name: &str, value: impl Into<String>) -> (String, String) {
 pub(super) fn at(place: Option<&Place>, mut target: Target) -> Target {
     let Some(place) = place else { return target };
     let facts = [
-        fact("Place", place.name.as_ref()),
+        fact("Place", place.short_name()),
         fact("Hazard from", place.provenance()),
     ];
     // The first fact is the code.

@@ -9,7 +9,7 @@ use freestand::synthesis::LONGEST_PERIOD_S;
 use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::Dimension;
+use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 use freestand_records::tables::hazard::{
@@ -91,14 +91,20 @@ fn read(words: &Words, path: &Path, bytes: &[u8], remedies: Remedies) -> Result<
                 if !matches!(code, Code::Tbdy2018 | Code::Asce7) {
                     left.remove("return_period_years");
                 }
-                // The file was asked for a site class: without another one, that counts.
+                // The file was asked for a site class, and knows the long-period transition: without others, these count.
                 if let Some(CodeValues::Asce7 {
-                    site_class: Some(class),
+                    site_class,
+                    long_period_s,
                     ..
                 }) = &site.code
-                    && left.get("site").is_none()
                 {
-                    left.set("site", class.clone());
+                    let long_period = long_period_s.map(|seconds| format!("{seconds} s"));
+                    for (key, value) in [("site", site_class.clone()), ("long_period", long_period)]
+                    {
+                        if let (None, Some(value)) = (left.get(key), value) {
+                            left.set(key, value);
+                        }
+                    }
                 }
                 of_values(&mut reader, &left, code, &place, remedies)
             }
@@ -106,10 +112,15 @@ fn read(words: &Words, path: &Path, bytes: &[u8], remedies: Remedies) -> Result<
                 of_spectrum(&mut reader, &site, spectrum, &name, remedies)
             }
         };
-        target.map(|target| Target {
-            file: Some(file),
-            ..target
-        })
+        let mut target = target?;
+        if let Some(statistic) = site.other_than_mean() {
+            target.warnings.push(format!(
+                "the file {name} is {} of its hazard model, not the mean",
+                shorten(statistic)
+            ));
+        }
+        target.file = Some(file);
+        Some(target)
     });
     reader.problems.finish(target)
 }
@@ -336,6 +347,32 @@ mod tests {
     const SPECTRA: &str = "#,\"kind='mean', investigation_time=50.0\"\n\
                            lon,lat,0.1~PGA,0.1~SA(0.2),0.1~SA(1.0),0.02~PGA,0.02~SA(0.2),0.02~SA(1.0)\n\
                            28.97,41.01,0.3,0.7,0.3,0.6,1.4,0.6\n29.5,41.0,0.2,0.5,0.2,0.4,1.0,0.4\n";
+
+    /// What is not the mean of its model says so, and the period of the file's long-period transition counts unless another
+    /// one is given.
+    #[test]
+    fn a_file_says_what_it_is() {
+        let place = [("place", "41.0, 28.9"), ("return_period_years", "475")];
+        let quantile = SPECTRA.replace("mean", "quantile-0.84");
+        let said = |text: &str| {
+            let target = in_file("uhs.csv", text, &place).unwrap();
+            target.warnings.join("; ")
+        };
+        assert!(
+            said(&quantile).contains("uhs.csv is quantile-0.84 of its hazard model, not the mean")
+        );
+        assert!(!said(SPECTRA).contains("of its hazard model"));
+        let values = r#"{"response":{"data":{"ss":1.9,"s1":0.7,"tl":12}}}"#;
+        let fact = |text: &str, pairs: &[(&'static str, &str)]| {
+            let target = in_file("values.json", text, pairs).unwrap();
+            let found = target.facts.iter().find(|fact| fact.0 == "T0, TS, TL");
+            found.unwrap().1.clone()
+        };
+        assert!(fact(values, &[]).ends_with(", 12 s"));
+        assert!(fact(values, &[("long_period", "6 s")]).ends_with(", 6 s"));
+        let without = values.replace(",\"tl\":12", "");
+        assert!(fact(&without, &[]).contains(", 8 s (TL assumed"));
+    }
 
     /// The site by coordinates or by the name of a known place, the spectrum by its return period; the displacement is constant
     /// beyond the last period.

@@ -321,7 +321,7 @@ impl Target {
                     Some(None) => ", derived",
                     Some(Some(_)) => ", interpolated",
                 };
-                format!(" ({}{approximate}{derived})", place.name)
+                format!(" ({}{approximate}{derived})", place.short_name())
             }
         }
     }

@@ -500,7 +500,7 @@ fn codes_and_shapes_of_other_countries() {
             "Lorca",
             0.2,
             2.5 * 0.12 * (1.04 - 0.04 * 0.02 / 0.3),
-            "type 1, ground B, a_g = 0.12 g (Lorca)",
+            "type 1, ground B, a_g = 0.12 g (Lorca, Murcia, Spain)",
         ),
     ] {
         let target = target(&[("place", place)]);

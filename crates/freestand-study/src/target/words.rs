@@ -87,7 +87,7 @@ fn place(reader: &mut WordReader, remedies: Remedies) -> Option<Option<Place>> {
     };
     let code = match (reader.words.get("code"), &why) {
         (Some(text), _) => Code::parse(text).map(Code::name),
-        (None, NotFound::Unknown(near) | NotFound::Several(near)) => near
+        (None, NotFound::Unknown(near, _) | NotFound::Several(near)) => near
             .first()
             .and_then(|name| Place::find(name))
             .map(|place| place.hazard.code()),

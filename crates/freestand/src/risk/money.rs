@@ -41,7 +41,7 @@ pub fn expected_annual_loss(
 /// \[years\].
 ///
 /// # Errors
-/// A horizon that is not positive, or a rate that is negative.
+/// A horizon that is not positive, or a rate that is negative, or 1 or more.
 ///
 /// # Example
 /// 3 % over 40 years:
@@ -79,15 +79,20 @@ fn within(
 fn check(discount_rate: f64, horizon_years: f64) -> Result<(), MoneyError> {
     let (name, requirement) = ("the horizon in years", "positive and finite");
     within(horizon_years > 0.0, name, requirement, horizon_years)?;
-    let (name, requirement) = ("the discount rate", "0 or more and finite");
-    within(discount_rate >= 0.0, name, requirement, discount_rate)
+    let (name, requirement) = ("the discount rate", "from 0 to below 1");
+    within(
+        (0.0..1.0).contains(&discount_rate),
+        name,
+        requirement,
+        discount_rate,
+    )
 }
 
 /// Present value of a measure that is paid now and again whenever its life ends within the horizon,
 /// C Σ e^{−r n L} over n L < H; C without a life.
 ///
 /// # Errors
-/// A horizon or a life that is not positive, or a rate that is negative.
+/// A horizon or a life that is not positive, or a rate that is negative, or 1 or more.
 ///
 /// # Example
 /// A life of 15 years in 40: paid now, after 15 and after 30 years.
@@ -128,10 +133,10 @@ mod tests {
             present_value_factor_years(0.03, -1.0).unwrap_err().name,
             "the horizon in years"
         );
-        assert_eq!(
-            present_value_factor_years(-0.03, 1.0).unwrap_err().name,
-            "the discount rate"
-        );
+        for wrong in [-0.03, 1.0, 3.0, f64::NAN] {
+            let error = present_value_factor_years(wrong, 1.0).unwrap_err();
+            assert_eq!(error.name, "the discount rate");
+        }
     }
 
     #[test]

@@ -29,6 +29,7 @@ use freestand_output::folder::write_file;
 use freestand_output::json::document;
 use freestand_output::paths::io_problem;
 use freestand_report::assessment::{JobReport, head, outcomes_rows};
+use freestand_report::signature::Signing;
 use freestand_study::run::{Progress, Step};
 
 use plan::Plan;
@@ -187,6 +188,7 @@ pub fn merge_shards(
     dir: &Path,
     target: &Path,
     force: bool,
+    signing: Signing,
     progress: Progress,
 ) -> Result<Merged, Problems> {
     let plan = Plan::open(dir)?;
@@ -215,8 +217,7 @@ pub fn merge_shards(
         force,
         parquet: true,
         outcomes: plan.outcomes(),
-        // Whoever signs repeats the assessment in one process.
-        ..Job::default()
+        signing,
     };
     let key = resume_key(&study, &inventory, part_size(&study, &inventory));
     let head = head(&study, &inventory);

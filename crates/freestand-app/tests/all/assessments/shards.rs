@@ -15,6 +15,7 @@ use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
 use freestand_inventory::Inventory;
 use freestand_report::assessment::PlanReport;
+use freestand_report::signature::Signing;
 use freestand_study::resolve::{Overrides, load};
 use freestand_study::run::{Step, no_progress};
 use freestand_study::study::Study;
@@ -103,7 +104,15 @@ impl Place {
     /// The files of a merge, or the shards that are missing.
     fn merged(&self, plan: &str) -> Result<BTreeMap<String, Vec<u8>>, Vec<usize>> {
         let out = self.path(&format!("{plan}-merged"));
-        match merge_shards(&self.path(plan), &out, false, &no_progress).unwrap() {
+        match merge_shards(
+            &self.path(plan),
+            &out,
+            false,
+            Signing::default(),
+            &no_progress,
+        )
+        .unwrap()
+        {
             Merged::Done(_) => Ok(contents(&out)),
             Merged::Missing(missing) => {
                 assert!(!out.exists());
@@ -191,6 +200,36 @@ fn shards_in_any_order_give_the_bytes_of_one_process() {
         let merged = on_threads(3 - threads, || place.merged(&plan)).unwrap();
         assert_same(&whole, &merged, &plan);
     }
+}
+
+/// A report that rests on values quoted from memory is a draft in shards as well, until somebody confirms them; then it is
+/// that of one process to the byte.
+#[test]
+fn a_merged_report_can_be_signed() {
+    let study = "[ground]\nplace = \"Athens\"\nseed = 3\n[building]\nstoreys = 8\n[worlds]\nfirst = 2\nmost = 2\nshares = false\n";
+    let place = Place::new(study, 2);
+    place.plan("plan", 1).unwrap();
+    place.run("plan", 0).unwrap();
+    let signed = Signing {
+        allows_recalled: true,
+    };
+    let of = |name: &str, signing: Signing| {
+        let out = place.path(name);
+        let merged = merge_shards(&place.path("plan"), &out, false, signing, &no_progress);
+        assert!(matches!(merged.unwrap(), Merged::Done(_)));
+        contents(&out)
+    };
+    let (draft, merged) = (of("draft", Signing::default()), of("signed", signed));
+    assert_ne!(draft["report.html"], merged["report.html"]);
+    let job = Job {
+        parquet: true,
+        outcomes: true,
+        signing: signed,
+        ..Job::default()
+    };
+    let out = place.path("whole");
+    assess_into(&place.study, &place.inventory, &out, &job, &no_progress).unwrap();
+    assert_same(&contents(&out), &merged, "signed");
 }
 
 /// The parts of a shard, and what depends on the number of rows of the whole list: from 501 on no shares
@@ -392,7 +431,14 @@ fn what_does_not_fit_is_refused_and_nothing_is_lost() {
     place.run("plan", 1).unwrap();
     let good = tree(&dir);
     for out in ["plan", "plan/out", "mine"] {
-        merge_shards(&dir, &place.path(out), false, &no_progress).unwrap_err();
+        merge_shards(
+            &dir,
+            &place.path(out),
+            false,
+            Signing::default(),
+            &no_progress,
+        )
+        .unwrap_err();
     }
     assert_eq!(
         (tree(&dir), fs::read(place.path("mine/thesis.txt")).unwrap()),
@@ -405,6 +451,7 @@ fn what_does_not_fit_is_refused_and_nothing_is_lost() {
         &dir,
         &place.path("merged"),
         false,
+        Signing::default(),
         &no_progress,
     ));
     assert!(

@@ -26,7 +26,7 @@ export interface Row {
 /** The plan within a budget, and one of its measures. */
 export interface Plan { currency: string }
 export interface PlanRow {
-  id: string; measure: string; quantity: number; cost: number; p_overturn: number;
+  id: string; measure: string; decision: string; quantity: number; cost: number; p_overturn: number;
   p_overturn_after: number | null; p_overturn_after_low: number | null; p_overturn_after_high: number | null;
 }
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { distanceShown, gShown, inUnits, lengthShown, lengthText, massShown, percent, stiffnessShown } from './units';
+import { distanceShown, forceShown, gShown, inUnits, lengthShown, lengthText, massShown, percent, stiffnessShown } from './units';
 
 describe('lengths', () => {
   it('are written as one types them', () => {
@@ -19,6 +19,7 @@ describe('masses and stiffnesses', () => {
   it('are shown in both units', () => {
     expect([stiffnessShown(4.38e6, 'si'), stiffnessShown(4.38e6, 'us')]).toEqual(['4380 N/mm', '25000 lb/in']);
     expect([inUnits(150, 'mass', 'us'), inUnits(150, 'mass', 'si'), inUnits(0.4, 'length', 'us')]).toEqual(['330.7 lb', '150 kg', '1\'3.75"']);
+    expect([forceShown(950, 'si'), forceShown(2415, 'si'), forceShown(950, 'us')]).toEqual(['950 N', '2.42 kN', '214 lbf']);
     expect([inUnits(4.38e6, 'stiffness', 'us'), inUnits(2.94, 'acceleration', 'us')]).toEqual(['25010 lb/in', null]);
   });
 });

@@ -84,3 +84,7 @@ export function gShown(g: number, digits = 2): string {
   if (g < 0.001) return g > 0 ? '< 0.001 g' : '0 g';
   return `${g >= 10 ** digits ? g.toFixed(0) : g.toPrecision(digits)} g`;
 }
+
+/** A force: in newtons, or in pounds. */
+export const forceShown = (newtons: number, units: Units): string =>
+  units === 'us' ? `${Math.round(newtons / 4.4482216152605)} lbf` : newtons >= 1000 ? `${Number((newtons / 1000).toPrecision(3))} kN` : `${Math.round(newtons)} N`;

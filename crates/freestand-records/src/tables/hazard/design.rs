@@ -62,11 +62,28 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
             out.code = Some(CodeValues::Asce7 {
                 ss_g: positive("ss")?,
                 s1_g: positive("s1")?,
+                long_period_s: long_period_s(data)?,
                 site_class: site_class(&document),
             });
         }
     }
     Ok(out)
+}
+
+/// `tl`, which is null outside the map of the transition.
+fn long_period_s(data: &Json) -> Result<Option<f64>, Problem> {
+    match data.get("tl") {
+        None | Some(Json::Null) => Ok(None),
+        Some(value) => {
+            let found = value
+                .as_f64()
+                .filter(|seconds| *seconds > 0.0 && seconds.is_finite());
+            let message = || format!("data.tl is {value}, not a period above 0");
+            found
+                .map(Some)
+                .ok_or_else(|| Problem::value(message(), "download the file again"))
+        }
+    }
 }
 
 /// `D-default` and `B-estimated` are D and B.

@@ -154,6 +154,8 @@ pub enum CodeValues {
         ss_g: f64,
         /// S1 \[g\].
         s1_g: f64,
+        /// The long-period transition TL \[s\], where the file has it.
+        long_period_s: Option<f64>,
         /// The site class for which the file was asked, without what it adds of a default or an estimate.
         site_class: Option<String>,
     },
@@ -210,6 +212,12 @@ impl SiteHazard {
             spectra: Vec::new(),
             code: None,
         }
+    }
+
+    /// What it is in place of the mean of its models: `quantile-0.95`, `rlz-001`; `None`: the mean, or the file does not say.
+    pub fn other_than_mean(&self) -> Option<&str> {
+        let statistic = self.statistic.as_deref()?;
+        Some(statistic).filter(|statistic| !statistic.eq_ignore_ascii_case("mean"))
     }
 
     /// The return periods of its spectra \[years\].

@@ -95,7 +95,12 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
     };
     for one in found.iter().filter(|one| one.at == out.at) {
         let at_line = |problem: Problem| problem.at_line(one.line);
-        let statistic = attribute(one, &["statistics"]).map(str::to_owned);
+        // The value of a quantile stands beside every statistic, also beside a mean.
+        let statistic = attribute(one, &["statistics"]).map(|kind| match kind {
+            "quantile" => attribute(one, &["quantileValue"])
+                .map_or_else(|| kind.to_owned(), |value| format!("{kind}-{value}")),
+            kind => kind.to_owned(),
+        });
         if out.statistic.is_some() && statistic != out.statistic {
             let message =
                 "the document has several statistics of one site, such as a mean and a quantile";

@@ -65,6 +65,17 @@ fn needed<'c>(head: &'c Head, key: &str) -> Result<&'c str, Problem> {
     })
 }
 
+/// Which of the models it is: `mean`, `quantile-0.95`, `rlz-001`.
+fn statistic(head: &Head) -> Result<Option<String>, Problem> {
+    match stated(head, "kind")? {
+        Some("std") => Err(head.problem(
+            "the file has standard deviations between models, which are no hazard".to_owned(),
+            "give the file of the mean, such as hazard_curve-mean-PGA_1.csv",
+        )),
+        kind => Ok(kind.map(str::to_owned)),
+    }
+}
+
 /// The return period in the name of a file, `hazard_map-mean-475y_1.csv`: a map of one return period states it nowhere else.
 fn years_of_name(path: &Path) -> Option<f64> {
     let name = path.file_stem()?.to_str()?;
@@ -91,7 +102,7 @@ fn map_of_one(table: &Table, path: &Path, wanted: &Wanted) -> Result<SiteHazard,
         None,
         wanted,
     )?;
-    out.statistic = stated(head, "kind")?.map(str::to_owned);
+    out.statistic = statistic(head)?;
     let mut values: Vec<(f64, Value)> = Vec::new();
     for (column, name) in head.headings.iter().enumerate() {
         if let Some(period_s) = measure(name).and_then(|(measure, _)| measure.period_s()) {
@@ -116,7 +127,7 @@ pub(super) fn read(
     let years =
         years(needed(head, "investigation_time")?).map_err(|problem| problem.at_line(head.line))?;
     let mut out = SiteHazard::of(format);
-    out.statistic = stated(head, "kind")?.map(str::to_owned);
+    out.statistic = statistic(head)?;
     if format == HazardFormat::Aelo {
         out.spectra = by_measure(table, years)?;
         return Ok(out);

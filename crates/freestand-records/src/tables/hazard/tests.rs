@@ -469,15 +469,18 @@ fn curves_of_the_services_of_usgs() {
 
 #[test]
 fn design_values_of_usgs() {
-    let seven_16 = r#"{"request":{"parameters":{"latitude":34,"longitude":-118,"siteClass":"C"}},"response":{"data":{"pga":0.8,"ss":1.9,"s1":0.7,"sds":1.52}}}"#;
-    let old = r#"{"data":{"data":{"ss":1.9,"s1":0.7}}}"#;
-    for (text, site_class) in [(seven_16, Some("C".to_owned())), (old, None)] {
+    let seven_16 = r#"{"request":{"parameters":{"latitude":34,"longitude":-118,"siteClass":"C"}},"response":{"data":{"pga":0.8,"ss":1.9,"s1":0.7,"sds":1.52,"tl":12}}}"#;
+    let old = r#"{"data":{"data":{"ss":1.9,"s1":0.7,"tl":null}}}"#;
+    let of_class_c = Some("C".to_owned());
+    for (text, site_class, long_period_s) in [(seven_16, of_class_c, Some(12.0)), (old, None, None)]
+    {
         let site = anywhere(text).unwrap();
         assert_eq!(
             site.code,
             Some(CodeValues::Asce7 {
                 ss_g: 1.9,
                 s1_g: 0.7,
+                long_period_s,
                 site_class,
             })
         );
@@ -488,6 +491,11 @@ fn design_values_of_usgs() {
     assert_eq!((found.years, found.values.len()), (None, 3));
     let none = site.spectrum(Some(475.0)).unwrap_err();
     assert!(none.message.contains("has no return period"), "{none}");
+    refused(
+        anywhere(&seven_16.replace("12", "-12")),
+        None,
+        "data.tl is -12, not a period above 0",
+    );
     refused(
         anywhere(&old.replace("1.9", "null")),
         None,
@@ -503,6 +511,31 @@ fn design_values_of_usgs() {
         None,
         "the period 0 s is listed twice",
     );
+}
+
+/// A quantile is read as it is, and says so; the mean needs no word.
+#[test]
+fn the_statistic_of_a_file_is_known() {
+    let curves = "lon,lat,poe-0.1,poe-0.2\n-123.23738,49.27479,0.2,0.1\n";
+    let of = |kind: &str| {
+        let head = HEAD.replace("rlz-001", kind);
+        assert!(kind == "rlz-001" || head != HEAD);
+        let head = head.replace("investigation_time", "imt='PGA', investigation_time");
+        anywhere(&format!("{head}{curves}"))
+    };
+    for kind in ["quantile-0.95", "rlz-001", "max"] {
+        assert_eq!(of(kind).unwrap().other_than_mean(), Some(kind));
+    }
+    assert_eq!(of("mean").unwrap().other_than_mean(), None);
+    assert!(
+        of("std")
+            .unwrap_err()
+            .message
+            .contains("standard deviations")
+    );
+    let quantile = NRML.replace("statistics=\"mean\"", "statistics=\"quantile\"");
+    let site = read(&quantile, &at(44.43, 26.1)).unwrap();
+    assert_eq!(site.other_than_mean(), Some("quantile-0.5"));
 }
 
 /// As EFEHR answers for ESHM20 near Bucharest: the layout of NRML 0.3. `saPeriod` is that of the model, not of PGA.

@@ -20,7 +20,8 @@ use freestand_output::html::{
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 use freestand_study::study::TitleBlock;
 
-use super::words::amount;
+use super::plan::standing_words;
+use super::words::{amount, label};
 use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
 
 pub use parts::{PARTS_NAME, PARTS_PAGE};
@@ -313,6 +314,10 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
             format!("{} ({})", row.measure_item, row.measure),
         ),
         ("Quantity", row.quantity.to_string()),
+        (
+            "Verdict",
+            format!("{}; {}", label(row.decision), standing_words(row.standing)),
+        ),
         (
             "Mass",
             row.object

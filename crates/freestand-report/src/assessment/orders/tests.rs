@@ -86,6 +86,7 @@ fn plan(rows: Vec<PlanRow>) -> BudgetPlan {
             cost: 0.0,
         },
         without_measure: 0,
+        not_restrained: 0,
         is_optimal: true,
         rows,
     }
@@ -220,4 +221,31 @@ fn the_parts_are_those_of_all_rooms() {
             .count(),
         1
     );
+}
+
+/// Whoever reads the plan or fits a restraint sees the verdict, and why what may be left as it is was planned.
+#[test]
+fn a_plan_shows_the_verdict_of_each_object() {
+    let mut left = row("a", "1", RestraintKind::Strap, |_| ());
+    left.decision = Decision::Leave;
+    left.standing = Standing::In(Planned::Pays);
+    let mut plan = plan(vec![row("b", "1", RestraintKind::Strap, |_| ()), left]);
+    plan.not_restrained = 3;
+    let text = super::super::plan::plan_text(&plan);
+    let html = super::super::plan::plan_html(&plan, "");
+    for told in [&text, &html] {
+        assert!(
+            told.contains("Planned although the verdict is leave: 2 objects, because what their restraint saves is more than it costs."),
+            "{told}"
+        );
+        assert!(told.contains("Not planned although the verdict is restrain: 3 objects."));
+        assert!(
+            told.contains("RESTRAIN") && told.contains("LEAVE"),
+            "{told}"
+        );
+    }
+    assert!(html.contains("planned: it pays"), "{html}");
+    let order = &orders(&plan, None)[0];
+    let page = page(&plan, order, &TitleBlock::default(), Signing::default());
+    assert!(page.contains("LEAVE; planned: it pays"), "{page}");
 }

@@ -16,6 +16,7 @@ use crate::assessment::words::{HOW_TO_READ, advice, label, long, ranked, sign};
 use crate::assessment::worklist::{Task, WORKLIST_NAME, sort_floors};
 use crate::signature::{Signing, signature};
 use freestand_assess::result::{Criterion, Decision};
+use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, significant};
 use freestand_output::html::{
     Cell, figure, heading, list, markup, paragraph, properties, section, table, words as text,
@@ -633,7 +634,7 @@ fn warnings(head: &Head, overview: &Overview) -> String {
     }
     let mut html = String::from("<ul>\n");
     for warning in warnings.iter().chain(&head.problems).chain(&head.warnings) {
-        let _ = writeln!(html, "<li>{}</li>", words(warning));
+        let _ = writeln!(html, "<li>{}</li>", words(&KeyStyle::Flag.shown(warning)));
     }
     html.push_str("</ul>\n");
     html

@@ -253,6 +253,16 @@ fn hostile_texts_stay_texts() {
     );
 }
 
+/// Keys stand as their reader types them.
+#[test]
+fn problems_name_flags() {
+    let html = html(&inventory((0..3).map(item).collect()), 3, 0);
+    assert!(html.contains("give a mapping file (--columns)"), "{html}");
+    // The styles have comments of their own.
+    let (_, body) = html.rsplit_once("</style>").unwrap();
+    assert!(!body.contains('`'));
+}
+
 #[test]
 fn a_part_says_so_first() {
     let html = html(&inventory((0..9).map(item).collect()), 4, 200);

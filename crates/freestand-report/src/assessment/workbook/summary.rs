@@ -14,6 +14,7 @@ use crate::assessment::sources::Sources;
 use crate::assessment::table::{COLUMNS, Kind};
 use crate::assessment::words::{HOW_TO_READ, advice, colours, label, ranked, sign};
 use freestand_assess::result::{Criterion, Decision};
+use freestand_input::keys::KeyStyle;
 
 use freestand_risk::budget::BudgetPlan;
 
@@ -401,7 +402,7 @@ impl Page<'_> {
             self.row += 1;
         }
         for text in texts {
-            self.sentence(text.as_ref())?;
+            self.sentence(&KeyStyle::Flag.shown(text.as_ref()))?;
         }
         Ok(())
     }

@@ -101,6 +101,7 @@ fn every_doubt_in_words() {
         HazardDoubt::CertainPoints(1),
         HazardDoubt::EqualPoints(3),
         HazardDoubt::SiteAway { metres: 2345 },
+        HazardDoubt::OtherThanMean("quantile-0.95".to_owned()),
         HazardDoubt::DesignAccelerations,
         HazardDoubt::SlopeOfPlace,
         HazardDoubt::AssumedSite("site class C".to_owned()),

@@ -1,6 +1,7 @@
 //! The top of the report: title, summary, first table and warnings.
 
 use freestand_input::file::file_name;
+use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_output::html::escape;
 use freestand_study::cushion::cushion_words;
@@ -79,7 +80,8 @@ pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     if result.warnings.is_empty() {
         html += "<p>None.</p>\n";
     } else {
-        html += &list(&result.warnings);
+        let shown = result.warnings.iter().map(|one| KeyStyle::Flag.shown(one));
+        html += &list(&shown.collect::<Vec<_>>());
     }
     html += "</div>\n";
     html

@@ -1,5 +1,6 @@
 //! How the result depends on single values, if that was requested.
 
+use freestand_input::keys::KeyStyle;
 use freestand_input::words::{fixed, percent};
 use freestand_study::result::StudyResult;
 use freestand_study::result::VariedLevel;
@@ -48,7 +49,8 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
     }
     remarks.extend(sensitivity.left_out.iter().cloned());
     if !remarks.is_empty() {
-        html += &list(&remarks);
+        let shown = remarks.iter().map(|one| KeyStyle::Flag.shown(one));
+        html += &list(&shown.collect::<Vec<_>>());
     }
     html
 }
