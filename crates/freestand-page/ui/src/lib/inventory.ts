@@ -32,6 +32,9 @@ export interface PlanRow {
 
 export const VERDICTS = { restrain: '▲', soften: '◆', lock: '■', 'no-verdict': '?', leave: '●' } as const;
 export type Verdict = keyof typeof VERDICTS;
+/** The colour of a verdict: nothing is green in a place or a building that nobody has named. */
+export const colour = (decision: string | null, isAssumed: boolean): string | null =>
+  decision === 'leave' && isAssumed ? 'no-verdict' : decision;
 
 /** The name of the copy of a list with the corrected cells. */
 export const CHECKED = 'checked.xlsx';
