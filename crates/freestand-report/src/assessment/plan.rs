@@ -101,12 +101,9 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
         }
     ));
     let left = [
-        (Planned::LifeSafety, "their fall may hurt somebody"),
-        (
-            Planned::Pays,
-            "what their restraint saves is more than it costs",
-        ),
-        (Planned::AvoidsFalls, "their restraint avoids falls"),
+        (Planned::LifeSafety, "a fall may hurt somebody"),
+        (Planned::Pays, "the restraint saves more than it costs"),
+        (Planned::AvoidsFalls, "the restraint avoids falls"),
     ];
     for (why, because) in left {
         let objects = plan.left_and_planned(why);
@@ -121,6 +118,12 @@ pub(super) fn sentences(plan: &BudgetPlan) -> Vec<String> {
         said.push(format!(
             "Not planned although the verdict is restrain: {}. {ALTERNATIVES_NAME} says why of each option.",
             counted(plan.not_restrained as usize, "object")
+        ));
+    }
+    if plan.without_option > 0 {
+        said.push(format!(
+            "For {} of these no restraint suits that has a price in {currency}: state your own (`restraints`).",
+            plan.without_option
         ));
     }
     said

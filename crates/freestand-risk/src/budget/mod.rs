@@ -422,8 +422,10 @@ pub struct BudgetPlan {
     pub unfunded: Unfunded,
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     pub without_measure: u32,
-    /// Objects whose verdict is to restrain them, for which there are options, and none is planned.
+    /// Objects whose verdict is to restrain them and that are not planned.
     pub not_restrained: u32,
+    /// Those of them for which no restraint suits that has a price in this currency.
+    pub without_option: u32,
     /// Whether no plan is better.
     pub is_optimal: bool,
     /// Every measure for every object: those of the plan first, by life safety, then by the verdict, then by benefit
@@ -460,7 +462,7 @@ answer_of!(BudgetPlan as plan {
     unfunded_life_safety_cost: f64 = plan.unfunded.cost;
     /// Objects whose fall may hurt somebody and of which no measure has a calculated effect that avoids falls.
     life_safety_without_measure: usize = plan.without_measure as usize;
-    /// Objects whose verdict is to restrain them, for which there are options, and none is planned.
+    /// Objects whose verdict is to restrain them and that are not planned.
     not_restrained: usize = plan.not_restrained as usize;
     is_optimal: bool = plan.is_optimal;
 });
@@ -470,13 +472,21 @@ answer_of!(BudgetPlan as plan {
 pub struct Priced {
     /// Each with the number of its object.
     rows: Vec<(usize, PlanRow)>,
-    objects: usize,
+    objects: Vec<Asked>,
     has_rates: bool,
     /// Whether the rates go on below the return periods of the code.
     extends: bool,
     has_costs: bool,
     /// What falls cost in earthquakes; `None`: yearly rates or costs are not known.
     losses: Option<losses::Losses>,
+}
+
+/// What counts of an object, also where no measure suits it.
+#[derive(Debug, Clone, Copy)]
+struct Asked {
+    quantity: u32,
+    decision: Decision,
+    rating: Option<Rating>,
 }
 
 /// An object that may be restrained.
@@ -486,6 +496,16 @@ struct Candidate<'a> {
     before: Probability,
     object: Arc<ToFit>,
     entries: Vec<&'a RestraintEntry>,
+}
+
+impl Candidate<'_> {
+    fn asked(&self) -> Asked {
+        Asked {
+            quantity: self.item.quantity,
+            decision: self.decision,
+            rating: LifeSafety::of(self.item).rating,
+        }
+    }
 }
 
 impl Budget {
@@ -552,7 +572,7 @@ impl Budget {
         }
         Ok(Priced {
             rows,
-            objects: candidates.len(),
+            objects: candidates.iter().map(Candidate::asked).collect(),
             has_rates: hazard.is_some(),
             extends,
             has_costs: self.has_costs,
@@ -689,7 +709,7 @@ impl Budget {
                 }
             })
             .collect();
-        let spent = spent_within(&worths, objects, self.amount, progress);
+        let spent = spent_within(&worths, objects.len(), self.amount, progress);
         let chosen: HashMap<usize, &str> = spent
             .chosen
             .iter()
@@ -718,36 +738,37 @@ impl Budget {
                 }),
             };
         }
-        // Objects are counted one by one, not as rows.
-        let quantity = |object: usize| {
-            let of = rows.iter().find(|(place, _)| *place == object);
-            of.map_or(0, |(_, row)| row.quantity)
-        };
         let unfunded = Unfunded {
-            objects: unfunded.iter().map(|object| quantity(*object)).sum(),
+            // Objects are counted one by one, not as rows.
+            objects: unfunded
+                .iter()
+                .filter_map(|object| objects.get(*object))
+                .map(|asked| asked.quantity)
+                .sum(),
             // An empty sum is −0.
             cost: spent
                 .unfunded
                 .iter()
                 .fold(0.0, |sum, worth| sum + worth.cost),
         };
-        let (mut without_measure, mut not_restrained) = (0, 0);
-        for object in 0..objects {
-            let mut own = rows.iter().filter(|(place, _)| *place == object);
-            let is_rated = own.clone().any(|(_, row)| {
-                row.life_safety.rating > Some(Rating::Low) && row.decision != Decision::Leave
-            });
+        let (mut without_measure, mut not_restrained, mut without_option) = (0, 0, 0);
+        for (object, asked) in objects.iter().enumerate() {
+            let mut own = rows.iter().filter(|(place, _)| *place == object).peekable();
+            if asked.decision == Decision::Restrain && !chosen.contains_key(&object) {
+                not_restrained += asked.quantity;
+                without_option += if own.peek().is_none() {
+                    asked.quantity
+                } else {
+                    0
+                };
+            }
             let helps = |row: &PlanRow| {
                 row.effect.is_some() && row.standing != Standing::Out(NotPlanned::AvoidsNoFalls)
             };
-            let mut all = own.clone();
-            if !chosen.contains_key(&object)
-                && all.any(|(_, row)| row.decision == Decision::Restrain)
-            {
-                not_restrained += quantity(object);
-            }
-            if is_rated && !own.any(|(_, row)| helps(row)) {
-                without_measure += quantity(object);
+            let is_for_people =
+                asked.rating > Some(Rating::Low) && asked.decision != Decision::Leave;
+            if is_for_people && !own.any(|(_, row)| helps(row)) {
+                without_measure += asked.quantity;
             }
         }
         let cost = rows
@@ -761,16 +782,16 @@ impl Budget {
             row.benefit
                 .map_or(0.0, |benefit| benefit / row.cost[1].max(f64::MIN_POSITIVE))
         };
+        // A low rating is no question of life safety.
+        let rating = |row: &PlanRow| row.life_safety.rating.filter(|one| *one > Rating::Low);
         rows.sort_by(|(_, a), (_, b)| {
             b.is_planned()
                 .cmp(&a.is_planned())
                 .then(match a.is_planned() {
-                    true => b
-                        .life_safety
-                        .rating
-                        .cmp(&a.life_safety.rating)
+                    true => rating(b)
+                        .cmp(&rating(a))
                         // What pays beside what must be done comes after it: both are within the budget.
-                        .then(urgency(a.decision).cmp(&urgency(b.decision)))
+                        .then(a.decision.cmp(&b.decision))
                         .then(ratio(b).total_cmp(&ratio(a))),
                     false => std::cmp::Ordering::Equal,
                 })
@@ -796,6 +817,7 @@ impl Budget {
             unfunded,
             without_measure,
             not_restrained,
+            without_option,
             is_optimal: spent.is_optimal(),
             rows,
         };
@@ -813,7 +835,7 @@ pub fn plan_over_sites(
     let budget = sites.first()?.1;
     let mut all = Priced {
         rows: Vec::new(),
-        objects: 0,
+        objects: Vec::new(),
         has_rates: sites.iter().all(|(_, _, priced)| priced.has_rates),
         extends: sites.iter().any(|(_, _, priced)| priced.extends),
         has_costs: sites.iter().any(|(_, _, priced)| priced.has_costs),
@@ -821,9 +843,9 @@ pub fn plan_over_sites(
     };
     let mut names: Vec<String> = Vec::new();
     for (name, _, priced) in sites {
-        let before = all.objects;
-        all.objects += priced.objects;
-        names.resize(all.objects, name);
+        let before = all.objects.len();
+        all.objects.extend(priced.objects);
+        names.resize(all.objects.len(), name);
         let numbered = priced.rows.into_iter();
         all.rows
             .extend(numbered.map(|(object, row)| (before + object, row)));
@@ -867,11 +889,6 @@ fn measure(entry: &RestraintEntry) -> Option<Measure> {
         median_n: entry.capacity_n?,
         beta: entry.beta,
     }))
-}
-
-/// The place of a verdict among all, the most urgent first.
-fn urgency(decision: Decision) -> Option<usize> {
-    Decision::ALL.iter().position(|one| *one == decision)
 }
 
 /// Falls a year from their probabilities at several intensities, and whether there may be more.

@@ -137,9 +137,24 @@ fn row(object: usize, measure: usize, draw: &mut impl FnMut(f64, f64) -> f64) ->
 }
 
 fn priced(rows: Vec<(usize, PlanRow)>, objects: usize, has_rates: bool) -> Priced {
+    let asked = |object: usize| {
+        let own = rows.iter().find(|(place, _)| *place == object);
+        own.map_or(
+            Asked {
+                quantity: 0,
+                decision: Decision::Leave,
+                rating: None,
+            },
+            |(_, row)| Asked {
+                quantity: row.quantity,
+                decision: row.decision,
+                rating: row.life_safety.rating,
+            },
+        )
+    };
     Priced {
+        objects: (0..objects).map(asked).collect(),
         rows,
-        objects,
         has_rates,
         extends: false,
         has_costs: true,
@@ -293,7 +308,7 @@ fn a_plan_puts_what_must_be_restrained_first() {
     let mut draw = |low: f64, high: f64| uniform_draw(&mut random, low, high);
     // In the order of the list; what each costs and what it saves.
     let rows = [
-        ("pays best", None, Decision::Leave, 4.0, 400.0),
+        ("pays best", Some(Rating::Low), Decision::Leave, 4.0, 400.0),
         ("pays", None, Decision::Restrain, 4.0, 40.0),
         ("people", Some(Rating::High), Decision::Leave, 4.0, 0.0),
         ("too dear", None, Decision::Restrain, 14.0, 20.0),
@@ -309,11 +324,19 @@ fn a_plan_puts_what_must_be_restrained_first() {
         row.benefit = Some(benefit);
         (object, row)
     });
-    let plan = budget.plan(priced(rows.collect(), 4, true), &no_progress);
+    let mut all = priced(rows.collect(), 4, true);
+    // Nothing in the library suits it.
+    all.objects.push(Asked {
+        quantity: 5,
+        decision: Decision::Restrain,
+        rating: Some(Rating::High),
+    });
+    let plan = budget.plan(all, &no_progress);
     let planned: Vec<&str> = plan.planned().map(|row| row.id.as_str()).collect();
     assert_eq!(planned, ["people", "pays", "pays best"]);
     assert_eq!(plan.left_and_planned(Planned::LifeSafety), 2);
     assert_eq!(plan.left_and_planned(Planned::Pays), 2);
     assert_eq!(plan.left_and_planned(Planned::AvoidsFalls), 0);
-    assert_eq!(plan.not_restrained, 2);
+    assert_eq!((plan.not_restrained, plan.without_option), (7, 5));
+    assert_eq!(plan.without_measure, 5);
 }

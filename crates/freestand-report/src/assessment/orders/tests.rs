@@ -87,6 +87,7 @@ fn plan(rows: Vec<PlanRow>) -> BudgetPlan {
         },
         without_measure: 0,
         not_restrained: 0,
+        without_option: 0,
         is_optimal: true,
         rows,
     }
@@ -230,15 +231,16 @@ fn a_plan_shows_the_verdict_of_each_object() {
     left.decision = Decision::Leave;
     left.standing = Standing::In(Planned::Pays);
     let mut plan = plan(vec![row("b", "1", RestraintKind::Strap, |_| ()), left]);
-    plan.not_restrained = 3;
+    (plan.not_restrained, plan.without_option) = (3, 1);
     let text = super::super::plan::plan_text(&plan);
     let html = super::super::plan::plan_html(&plan, "");
     for told in [&text, &html] {
         assert!(
-            told.contains("Planned although the verdict is leave: 2 objects, because what their restraint saves is more than it costs."),
+            told.contains("Planned although the verdict is leave: 2 objects, because the restraint saves more than it costs."),
             "{told}"
         );
         assert!(told.contains("Not planned although the verdict is restrain: 3 objects."));
+        assert!(told.contains("For 1 of these no restraint suits"), "{told}");
         assert!(
             told.contains("RESTRAIN") && told.contains("LEAVE"),
             "{told}"
