@@ -444,7 +444,7 @@ pub(crate) fn seed(read: &mut WordReader<'_>) -> Option<u64> {
     })
 }
 
-/// A discount rate per year. 1 or more is a percentage without its sign: at 100 % a year nothing that is saved later counts.
+/// A discount rate per year. 1 or more is a percentage without its sign.
 pub(crate) fn discount(read: &mut WordReader<'_>) -> Option<f64> {
     let ratio = read.non_negative("discount", Dimension::Ratio)?;
     if ratio < 1.0 {

@@ -318,7 +318,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let of = |shapes: &[&str]| {
             let path = folder.path().join("list.csv");
-            let mut text = "id,height [mm],thickness [mm],shape,upper_height [mm],upper_thickness [mm],upper_mass [kg]\n".to_owned();
+            let mut text = "id,height [mm],thickness [mm],shape,upper_height [mm],upper_thickness [mm],upper_mass [kg],anchored,casters\n".to_owned();
             for (i, shape) in shapes.iter().cycle().take(12).enumerate() {
                 text += &format!("o{i},1800,400,{shape}\n");
             }
@@ -327,13 +327,19 @@ mod tests {
         };
         let flat = study("[building]\nstoreys = 8\n");
         let size = |shapes: &[&str]| part_size(&flat, &of(shapes));
-        assert_eq!(size(&["box,,,"]), PART);
-        for slow in ["cylinder,,,", "polygon:6,,,", "box,500,300,20"] {
+        for quick in ["box,,,,,", "cylinder,,,,yes,", "cylinder,,,,,free"] {
+            assert_eq!(size(&[quick]), PART, "{quick}");
+        }
+        for slow in ["cylinder,,,,,", "polygon:6,,,,,", "box,500,300,20,,"] {
             assert_eq!(size(&[slow]), SLOW_PART, "{slow}");
-            assert_eq!(size(&["box,,,", "box,,,", slow]), 3 * SLOW_PART, "{slow}");
+            assert_eq!(
+                size(&["box,,,,,", "box,,,,,", slow]),
+                3 * SLOW_PART,
+                "{slow}"
+            );
         }
         let space = study("[building]\nstoreys = 8\n[assessment]\ndimensions = \"3d\"\n");
-        assert_eq!(part_size(&space, &of(&["box,,,"])), SLOW_PART);
+        assert_eq!(part_size(&space, &of(&["box,,,,,"])), SLOW_PART);
     }
 
     /// Through a link, the lock would truncate the user's file and the clearing would remove files that

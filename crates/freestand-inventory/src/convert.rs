@@ -10,6 +10,7 @@ use super::columns::{Holds, letters};
 use super::encoding::is_unprintable;
 use super::headings::{HeadingUnit, meaning};
 use super::layout::{Body, body, unevaluated};
+use super::problems::Kind;
 use super::source::{Sheet, load};
 use super::understood::understand;
 use super::used::Evidence;
@@ -74,7 +75,7 @@ pub fn convert_bytes(
         if heading.chars().any(is_unprintable) {
             let place = format!("the heading of column {}", letters(column));
             problems.push(Problem::value(
-                format!("{place} {UNPRINTABLE}"),
+                format!("{place} {}", Kind::Unprintable.words()),
                 "type the cell again",
             ));
         }
@@ -157,10 +158,6 @@ fn holds_words(heading: &str) -> bool {
 /// Largest number of cells that cannot be written that are listed.
 const MAX_PROBLEMS: usize = 20;
 
-/// What such a cell is told.
-const UNPRINTABLE: &str =
-    "contains a control character, which nobody sees and most programs refuse";
-
 fn written(
     row: &Row,
     are_words: &[bool],
@@ -191,9 +188,11 @@ fn written(
         let is_word = are_words.get(index).copied().unwrap_or(false);
         let one = match cell {
             Cell::Number(value) if value.is_finite() => Written::Number(*value),
-            Cell::Text(text) if text.chars().any(is_unprintable) => {
-                refused(*column, UNPRINTABLE.to_owned(), "type the cell again")
-            }
+            Cell::Text(text) if text.chars().any(is_unprintable) => refused(
+                *column,
+                Kind::Unprintable.words().to_owned(),
+                "type the cell again",
+            ),
             // In a workbook, line endings within a cell are LF.
             Cell::Text(text) => {
                 let text = text.replace("\r\n", "\n").replace('\r', "\n");

@@ -223,8 +223,10 @@ impl Item {
 
     /// Whether its histories are followed one by one in every study: those of a body that is no block, and of a stack.
     pub fn is_followed_alone(&self) -> bool {
-        matches!(self.shape, ItemShape::Round | ItemShape::Body(_))
-            || self.surroundings.upper.is_some()
+        let is_stack = self.surroundings.upper.is_some();
+        let rolls = self.surroundings.casters == Some(Casters::Free);
+        let is_no_block = matches!(self.shape, ItemShape::Round | ItemShape::Body(_));
+        self.anchored != Some(true) && (is_stack || is_no_block && !rolls)
     }
 }
 

@@ -89,10 +89,10 @@ fn width_px(entry: &Entry) -> f64 {
     SIGN_PX + GAP_PX + words_px(&entry.words, TEXT_PX)
 }
 
-/// About the width of a text of this size; letters of East Asia are as wide as they are high.
+/// About the width of a text of this size; letters of East Asia and … are as wide as they are high.
 pub(super) fn words_px(text: &str, size_px: u32) -> f64 {
     let share = |letter: char| match letter {
-        '\u{1100}'.. => 1.0,
+        '…' | '\u{1100}'..='\u{11FF}' | '\u{2E80}'.. => 1.0,
         _ => CHARACTER_SHARE,
     };
     f64::from(size_px) * text.chars().map(share).sum::<f64>()

@@ -78,8 +78,9 @@ def assess(
     one, or else one with a local worker. Each thread of a worker calculates one shard at a time, in a child
     process with `threads` threads (default 1). `shards`: by default 4 for each thread of the workers that
     are connected now, each of at least 200 objects. A shard that fails is calculated again; after `retries` failures
-    it is reported, when the other shards are finished. `allow_recalled` is as in `freestand.assess`. Call the function again with the same arguments to
-    continue: finished shards are kept in `<out>-plan`, which is removed at the end.
+    it is reported, when the other shards are finished. `allow_recalled` is as in `freestand.assess`. Call the
+    function again with the same arguments to continue: finished shards are kept in `<out>-plan`, which is removed
+    at the end.
     """
     target = _folder(out)
     plan = target.with_name(target.name + "-plan")

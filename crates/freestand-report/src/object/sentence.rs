@@ -457,7 +457,7 @@ impl Answer {
             (Some(withstands), Some(exceeded)) if exceeded > 0 => {
                 let limit = withstands.words();
                 told.push_str(&format!(
-                    "; the shock of the stop exceeds the {limit} that it withstands{}",
+                    "; the shock of the stop exceeds the {limit} that it withstands,{}",
                     times(exceeded)
                 ));
             }
@@ -483,7 +483,7 @@ impl Answer {
         let times = if motions == 1 {
             String::new()
         } else {
-            format!(" in {of}")
+            format!(", in {of}")
         };
         let limit = withstands.words();
         // Where nothing lands harder, it is the floor itself that is too much.

@@ -116,7 +116,7 @@ fn travel_against_clearance() {
         tell(stops, counts(20, 0, 0)),
         "At a ground acceleration of 0.5 g this object rolls and stays standing: by up to 200 mm in 84 % of 20 \
          simulated earthquakes; it meets the stop at 200 mm in 9 of 20 at up to 1.1 m/s in 84 % of them, and a stop \
-         overturns it from 1.9 m/s; the shock of the stop exceeds the 10 g that it withstands in 2 of 20."
+         overturns it from 1.9 m/s; the shock of the stop exceeds the 10 g that it withstands, in 2 of 20."
     );
     let trips = tell(stops, counts(20, 3, 3));
     assert!(
@@ -560,7 +560,7 @@ fn what_it_withstands() {
         ..counts(160, 31, 9)
     };
     assert!(tell(hard, TEN_G).ends_with(
-        "; its landings reach 14 g and exceed the 10 g that it withstands in 12 of 160."
+        "; its landings reach 14 g and exceed the 10 g that it withstands, in 12 of 160."
     ),);
     let near = Counts {
         shock_g_max: Some(9.97),
@@ -594,7 +594,7 @@ fn what_it_withstands() {
         ..harder
     };
     let said = "; its landings reach 14 g with shock response spectra that exceed that of the 15 g of 11 ms that it \
-                withstands in 4 of 160.";
+                withstands, in 4 of 160.";
     assert!(
         tell(longer, pulse).ends_with(said),
         "{}",
@@ -618,11 +618,9 @@ fn what_it_withstands() {
         exceeded: Some(20),
         ..still
     };
-    assert!(
-        tell(shaken, weak).ends_with(
-            "; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands in 20 of 20."
-        )
-    );
+    assert!(tell(shaken, weak).ends_with(
+        "; the floor alone, 0.15 g, exceeds the 0.1 g that it withstands, in 20 of 20."
+    ));
     let soft = Counts {
         shock_g_max: Some(0.08),
         exceeded: Some(3),
@@ -630,7 +628,7 @@ fn what_it_withstands() {
     };
     assert!(
         tell(soft, weak).ends_with(
-            "; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands in 3 of 20."
+            "; the floor alone, 0.3 g, exceeds the 0.1 g that it withstands, in 3 of 20."
         )
     );
     // What falls over does not land on its edges.
