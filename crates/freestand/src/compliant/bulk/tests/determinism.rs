@@ -132,6 +132,75 @@ fn no_result_depends_on_order_company_or_threads() {
     }
 }
 
+/// A push that lifts a rack, a pause of which it needs about 2.6 s to settle, and then a smaller push with a jolt from
+/// below: the push makes an edge lose so much of its load that the world leaves the linear equations, and the jolt sets
+/// the extremes some samples later.
+fn lifts_twice(pause: usize, rest: usize) -> [Motion; 2] {
+    let half_sine = |i: usize, from: usize, count: usize, peak_m_s2: f64| {
+        let gone = i.wrapping_sub(from);
+        let angle = std::f64::consts::PI * gone as f64 / count as f64;
+        if gone < count {
+            peak_m_s2 * angle.sin()
+        } else {
+            0.0
+        }
+    };
+    let again = 80 + pause;
+    let horizontal = |i| {
+        let first = half_sine(i, 0, 40, 6.0) - half_sine(i, 40, 40, 6.0);
+        first + half_sine(i, again, 30, 2.5)
+    };
+    let vertical = |i| half_sine(i, again + 14, 16, 20.0);
+    let samples = 0..again + 40 + rest;
+    [
+        samples.clone().map(horizontal).collect(),
+        samples.map(vertical).collect(),
+    ]
+    .map(|samples| Motion::new(0.005, samples).unwrap())
+}
+
+/// What the linear equations of both edges say after an edge let go once more does not count: how far they go on
+/// depends on the worlds beside it.
+#[test]
+fn a_world_that_lets_go_again_does_not_depend_on_its_company() {
+    let object = Object {
+        damping_ratio: 0.2,
+        ..rack()
+    };
+    let mut made = Vec::new();
+    for i in 0..12 {
+        let [horizontal, vertical] = lifts_twice(600 + 5 * i, 11 * i);
+        made.push((object, horizontal, Some(vertical)));
+    }
+    for i in 0..24 {
+        let quiet = Motion::new(0.005, vec![0.1; 90 + 29 * i]).unwrap();
+        made.push((object, quiet, None));
+    }
+    let worlds = worlds(&made);
+    let first_push = made[0].1.accel_m_s2()[..600].to_vec();
+    let first_push = Motion::new(0.005, first_push).unwrap();
+    let once = &follow_all(&[object.world(&first_push)])[0];
+    for twice in follow_all(&worlds[..12]) {
+        assert!(once.touch_count > 0 && twice.touch_count > once.touch_count);
+        assert!(twice.peak_edge_acceleration_m_s2() > once.peak_edge_acceleration_m_s2());
+    }
+
+    // One thread has all of them, as on a machine of one processor.
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(1)
+        .build()
+        .unwrap();
+    let found =
+        |worlds: &[CompliantWorld]| pool.install(|| bits(&rock_compliant_many(worlds, G0_M_S2)));
+    let alone: Vec<String> = worlds.iter().flat_map(|one| found(&[*one])).collect();
+    assert_eq!(alone, found(&worlds));
+    assert_eq!(alone[..12], found(&worlds[..12]));
+    let reversed: Vec<CompliantWorld> = worlds.iter().rev().copied().collect();
+    let mut backwards = found(&reversed);
+    backwards.reverse();
+    assert_eq!(alone, backwards);
+}
+
 /// The steps within samples that a bound leaves out: taken, they find nothing.
 #[test]
 fn steps_that_are_left_out_would_change_nothing() {

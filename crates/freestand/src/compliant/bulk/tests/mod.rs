@@ -57,12 +57,22 @@ impl Object {
 
 /// One with its centre of gravity off the middle.
 pub(super) fn leaning() -> Body {
+    leaning_on(2e6, 0.1)
+}
+
+/// The same on pads so soft that a step is a whole sample, with little damping.
+pub(super) fn soft() -> Body {
+    leaning_on(2e4, 0.02)
+}
+
+fn leaning_on(stiffness_n_m: f64, damping_ratio: f64) -> Body {
     let object = Object {
         block: Block::uniform(1.8, 0.6)
             .unwrap()
             .with_cg_offset(0.05)
             .unwrap(),
-        ..Object::new("leaning", (1.8, 0.6), 150.0, 2e6)
+        damping_ratio,
+        ..Object::new("leaning", (1.8, 0.6), 150.0, stiffness_n_m)
     };
     let motion = Motion::new(0.01, vec![0.0; 3]).unwrap();
     Body::new(&object.world(&motion), &motion, G0_M_S2).unwrap()
