@@ -21,6 +21,9 @@ pub(super) fn is_it(bytes: &[u8]) -> bool {
         && memchr::memmem::find(bytes, b"azard").is_some()
 }
 
+/// The attributes that name the branches of a realization.
+const BRANCHES: [&str; 2] = ["sourceModelTreePath", "gsimTreePath"];
+
 /// A curve or a spectrum of a site, not yet judged.
 struct Found<'d> {
     at: Option<Coordinates>,
@@ -93,23 +96,18 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
         distance_km,
         ..SiteHazard::of(HazardFormat::Nrml)
     };
-    for one in found.iter().filter(|one| one.at == out.at) {
+    let here: Vec<&Found> = found.iter().filter(|one| one.at == out.at).collect();
+    out.statistic = here.first().and_then(|one| statistic(one));
+    for one in &here {
         let at_line = |problem: Problem| problem.at_line(one.line);
-        // The value of a quantile stands beside every statistic, also beside a mean.
-        let statistic = attribute(one, &["statistics"]).map(|kind| match kind {
-            "quantile" => attribute(one, &["quantileValue"])
-                .map_or_else(|| kind.to_owned(), |value| format!("{kind}-{value}")),
-            kind => kind.to_owned(),
-        });
-        if out.statistic.is_some() && statistic != out.statistic {
-            let message =
-                "the document has several statistics of one site, such as a mean and a quantile";
+        let is_other = |name: &&str| attribute(one, &[*name]) != attribute(here[0], &[*name]);
+        if statistic(one) != out.statistic || BRANCHES.iter().any(|name| is_other(name)) {
+            let message = "the document has several statistics or realizations of one site, such as a mean and a quantile";
             return Err(at_line(Problem::format(
                 message,
                 "leave the mean alone in the file",
             )));
         }
-        out.statistic = statistic;
         if is_curve(&one.node) {
             let curve = hazard_curve(&document, one).map_err(at_line)?;
             if out
@@ -157,6 +155,22 @@ fn attribute<'d>(one: &Found<'d>, names: &[&str]) -> Option<&'d str> {
             .filter(|node| named(*node, &["hazardProcessing", "IML", "IMLs"]))
             .find_map(of)
     })
+}
+
+/// Which of several models a curve is. The value of a quantile stands beside every statistic, also beside a mean.
+///
+/// # Reference
+/// OpenQuake, `ClassicalHazardCase7TestCase` of its `qa_tests`: the curve of a realization has the branches of its logic trees, and
+/// no `statistics`.
+fn statistic(one: &Found) -> Option<String> {
+    match attribute(one, &["statistics"]) {
+        Some("quantile") => Some(attribute(one, &["quantileValue"]).map_or_else(
+            || "quantile".to_owned(),
+            |value| format!("quantile-{value}"),
+        )),
+        Some(kind) => Some(kind.to_owned()),
+        None => attribute(one, &BRANCHES).map(|_| "realization".to_owned()),
+    }
 }
 
 fn position(document: &Document, node: Node) -> Result<Option<Coordinates>, Problem> {

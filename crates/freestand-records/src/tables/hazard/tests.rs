@@ -538,6 +538,58 @@ fn the_statistic_of_a_file_is_known() {
     assert_eq!(site.other_than_mean(), Some("quantile-0.5"));
 }
 
+/// OpenQuake writes a realization with the branches of its logic trees and without `statistics`: it is not the mean.
+#[test]
+fn a_realization_of_nrml_is_not_the_mean() {
+    let field = |attributes: &str, imt: &str| {
+        format!(
+            "<hazardCurves {attributes} IMT=\"{imt}\" investigationTime=\"50.0\"><IMLs>0.1 0.5</IMLs><hazardCurve>\
+             <gml:Point><gml:pos>26.0 44.4</gml:pos></gml:Point><poEs>0.5 0.1</poEs></hazardCurve></hazardCurves>"
+        )
+    };
+    let document = |fields: &[String]| {
+        format!(
+            "<?xml version=\"1.0\"?><nrml xmlns=\"http://openquake.org/xmlns/nrml/0.5\" \
+             xmlns:gml=\"http://www.opengis.net/gml\">{}</nrml>",
+            fields.concat()
+        )
+    };
+    let of = |attributes: &str| anywhere(&document(&[field(attributes, "PGA")])).unwrap();
+    for branches in [
+        "sourceModelTreePath=\"b1\" gsimTreePath=\"b2\"",
+        "sourceModelTreePath=\"b1\"",
+        "gsimTreePath=\"b2\"",
+    ] {
+        assert_eq!(
+            of(branches).other_than_mean(),
+            Some("realization"),
+            "{branches}"
+        );
+    }
+    assert_eq!(
+        of("statistics=\"mean\" sourceModelTreePath=\"\"").other_than_mean(),
+        None
+    );
+    assert_eq!(of("").other_than_mean(), None);
+    // Statistics of one site differ in either order.
+    let quantile = "statistics=\"quantile\" quantileValue=\"0.95\"";
+    for [one, two] in [
+        ["", quantile],
+        [quantile, ""],
+        ["gsimTreePath=\"b2\"", ""],
+        ["gsimTreePath=\"b2\"", "gsimTreePath=\"b3\""],
+    ] {
+        let fields = [field(one, "PGA"), field(two, "PGV")];
+        let problem = anywhere(&document(&fields)).unwrap_err();
+        assert!(
+            problem.message.contains("several statistics"),
+            "{one}, then {two}: {problem}"
+        );
+    }
+    let two_measures = [field(quantile, "PGA"), field(quantile, "PGV")];
+    assert_eq!(anywhere(&document(&two_measures)).unwrap().curves.len(), 2);
+}
+
 /// As EFEHR answers for ESHM20 near Bucharest: the layout of NRML 0.3. `saPeriod` is that of the model, not of PGA.
 const NRML: &str = r#"<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 <ns2:nrml xmlns:ns2="http://openquake.org/xmlns/nrml/0.3" xmlns:ns1="http://www.opengis.net/gml">
