@@ -8,7 +8,9 @@ use super::numbers::{
     Exceedance, Value, coordinates, curve, measure, return_period, spectrum, years,
 };
 use super::sites::{Site, Wanted, chosen};
-use super::{Coordinates, Curve, GroundMeasure, HazardFormat, ReturnSpectrum, SiteHazard};
+use super::{
+    Coordinates, Curve, GroundMeasure, HazardFormat, ReturnSpectrum, SiteHazard, Statistic,
+};
 
 const DOWNLOAD: &str = "download the file again: it may be cut off";
 /// Most XML nodes; each takes some tens of bytes while the file is read.
@@ -105,7 +107,7 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
             let message = "the document has several statistics or realizations of one site, such as a mean and a quantile";
             return Err(at_line(Problem::format(
                 message,
-                "leave the mean alone in the file",
+                "leave only the mean in the file",
             )));
         }
         if is_curve(&one.node) {
@@ -157,19 +159,20 @@ fn attribute<'d>(one: &Found<'d>, names: &[&str]) -> Option<&'d str> {
     })
 }
 
-/// Which of several models a curve is. The value of a quantile stands beside every statistic, also beside a mean.
+/// Which of the results of its hazard model a curve is. The value of a quantile stands beside every statistic, also beside a mean.
 ///
 /// # Reference
 /// OpenQuake, `ClassicalHazardCase7TestCase` of its `qa_tests`: the curve of a realization has the branches of its logic trees, and
 /// no `statistics`.
-fn statistic(one: &Found) -> Option<String> {
+fn statistic(one: &Found) -> Option<Statistic> {
     match attribute(one, &["statistics"]) {
-        Some("quantile") => Some(attribute(one, &["quantileValue"]).map_or_else(
-            || "quantile".to_owned(),
-            |value| format!("quantile-{value}"),
-        )),
-        Some(kind) => Some(kind.to_owned()),
-        None => attribute(one, &BRANCHES).map(|_| "realization".to_owned()),
+        Some("quantile") => Some(
+            attribute(one, &["quantileValue"])
+                .and_then(Statistic::quantile)
+                .unwrap_or_else(|| Statistic::of("quantile")),
+        ),
+        Some(kind) => Some(Statistic::of(kind)),
+        None => attribute(one, &BRANCHES).map(|_| Statistic::Realization),
     }
 }
 
