@@ -178,8 +178,8 @@ pub(crate) fn hazard_doubt(doubt: &HazardDoubt) -> String {
             number(f64::from(*metres) / 1e3, 2)
         ),
         HazardDoubt::OtherThanMean(statistic) => format!(
-            "hazard: the file is {statistic} of its hazard model, not the mean: yearly rates and losses are means only with \
-             the mean"
+            "hazard: the file is {} of its hazard model, not the mean: rates and losses from it are not means",
+            statistic.name_with_article()
         ),
         HazardDoubt::SlopeOfPlace => {
             "the hazard goes through the return periods of the place: the interval of a rate allows for a slope that is \

@@ -2,6 +2,7 @@
 
 use freestand::fragility::{LimitState, NoInterval, ShockFitError};
 use freestand_inventory::too_mild::TooMild;
+use freestand_records::tables::hazard::Statistic;
 use strum::EnumCount;
 
 use super::measure::Measure;
@@ -114,8 +115,8 @@ pub enum HazardDoubt {
         /// The distance \[m\].
         metres: u32,
     },
-    /// The file is this in place of the mean of the models: `quantile-0.95`.
-    OtherThanMean(String),
+    /// The file is this in place of the mean of its hazard model.
+    OtherThanMean(Statistic),
     /// It consists of the design accelerations of a code.
     DesignAccelerations,
     /// It goes through the few return periods of a place.

@@ -446,7 +446,7 @@ fn downloaded(
             metres: (1e3 * km).round() as u32,
         }),
         site.other_than_mean()
-            .map(|statistic| HazardDoubt::OtherThanMean(shorten(statistic))),
+            .map(|statistic| HazardDoubt::OtherThanMean(statistic.clone())),
     ];
     Ok(MeasuredHazard {
         hazard,

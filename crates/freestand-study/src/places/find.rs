@@ -31,10 +31,10 @@ pub enum NotFound {
     NoValues(String, Vec<(String, f64)>, Option<Unlisted>),
     /// Several places have this name: their names in full.
     Several(Vec<String>),
-    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], what is known of the
-    /// places that are not in the tables in the country of the first of them, and the coordinates in the other order, where
-    /// places are near those alone.
-    Far(Vec<(String, f64)>, Option<Unlisted>, Option<Coordinates>),
+    /// Coordinates in a country without a grid; the nearest places, each with its distance \[km\], and the coordinates in
+    /// the other order, where places are near those alone. Which municipality they are in is not known, nor whether the
+    /// tables list it.
+    Far(Vec<(String, f64)>, Option<Coordinates>),
     /// Coordinates that do not exist.
     NoCoordinates,
     /// Coordinates that exist in the other order alone.
@@ -55,18 +55,24 @@ impl Unlisted {
         (country == "Spain").then_some(Self::Spain)
     }
 
-    /// Of a place that was written with its country last, in canonical words.
-    fn of_words(wanted: &str) -> Option<Self> {
-        let last = wanted.rsplit(' ').next()?;
-        Some(Self::Spain).filter(|_| is_country(last, "Spain"))
-    }
-
+    /// Of a city that is known to be none of its municipalities.
+    ///
     /// # Reference
     /// NCSE-02 (Real Decreto 997/2002, BOE 244), annex 1: the municipalities whose a_b is 0.04 g or more.
     fn words(self) -> &'static str {
         match self {
             Self::Spain => {
                 "NCSE-02 lists only the municipalities of Spain with a_b of 0.04 g or more: one that it does not list has less"
+            }
+        }
+    }
+
+    /// Of a name that was not found: it may be misspelt, or that of a part of a municipality.
+    fn words_of_unknown(self) -> &'static str {
+        match self {
+            Self::Spain => {
+                "check the spelling and the province; only if annex 1 of NCSE-02 really does not list the municipality is its \
+                 a_b below 0.04 g"
             }
         }
     }
@@ -122,15 +128,20 @@ impl NotFound {
         match self {
             Self::Unknown(near, unlisted) => {
                 let message = format!("{shown} is not in the table of places");
+                let others =
+                    format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}");
                 let hint = match (near.is_empty(), unlisted) {
-                    (true, None) => {
-                        format!("give its coordinates, such as \"41.01, 28.97\"; {bring}; {LIST}")
+                    (true, None) => others,
+                    (true, Some(unlisted)) => {
+                        format!("{}; {others}", unlisted.words_of_unknown())
                     }
-                    (true, Some(unlisted)) => format!("{}; {bring}; {LIST}", unlisted.words()),
                     (false, None) => format!("did you mean {}?", quoted(near)),
-                    (false, Some(unlisted)) => {
-                        format!("did you mean {}? {}", quoted(near), unlisted.words())
-                    }
+                    // That a name is near does not say that it is meant.
+                    (false, Some(unlisted)) => format!(
+                        "did you mean {}? If not, {}; {others}",
+                        quoted(near),
+                        unlisted.words_of_unknown()
+                    ),
                 };
                 Problem::value(message, hint)
             }
@@ -142,16 +153,16 @@ impl NotFound {
                 let message = format!("no hazard is known for {city}");
                 Problem::value(message, without_values(near, *unlisted, bring))
             }
-            Self::Far(_, _, Some(swapped)) => Problem::value(
+            Self::Far(_, Some(swapped)) => Problem::value(
                 format!("no hazard is known at {shown}"),
                 format!(
                     "the latitude comes first: did you mean \"{}\"?",
                     swapped.words()
                 ),
             ),
-            Self::Far(near, unlisted, None) => {
+            Self::Far(near, None) => {
                 let message = format!("no hazard is known at {shown}");
-                Problem::value(message, without_values(near, *unlisted, bring))
+                Problem::value(message, without_values(near, None, bring))
             }
             Self::Swapped(at) => Problem::value(
                 format!("{shown} are no coordinates"),
@@ -224,13 +235,17 @@ fn of_city(wanted: &str, code: Option<&str>) -> Option<Result<Place, NotFound>> 
     let name = format!("{}, {}", city.name, city.country);
     let unlisted = Unlisted::of(&city.country);
     Some(at(city.at, code).map_err(|why| match why {
-        NotFound::Far(near, ..) if near.is_empty() => {
+        // A place is there, but has no values of this code.
+        NotFound::Far(near, _) if near.first().is_some_and(|(_, km)| *km <= SAME_PLACE_KM) => {
+            NotFound::NoValues(name, near, None)
+        }
+        NotFound::Far(near, _) if near.is_empty() => {
             let first = nearest(city.at).into_iter().next();
             let first = first.and_then(|place| Some((place.full_name(), place.distance_km?)));
             let first = first.filter(|(_, km)| *km <= FAR_AWAY_KM);
             NotFound::NoValues(name, first.into_iter().collect(), unlisted)
         }
-        NotFound::Far(near, ..) => NotFound::NoValues(name, near, unlisted),
+        NotFound::Far(near, _) => NotFound::NoValues(name, near, unlisted),
         other => other,
     }))
 }
@@ -281,8 +296,7 @@ impl Place {
             found.retain(|(_, place)| place.hazard.code() == code);
         }
         let Some(&(rank, first)) = found.iter().min_by_key(|(rank, _)| rank) else {
-            let unknown = || NotFound::Unknown(near(text), Unlisted::of_words(&wanted));
-            return of_city(&wanted, code).unwrap_or_else(|| Err(unknown()));
+            return of_city(&wanted, code).unwrap_or_else(|| Err(unknown(text)));
         };
         // A city of another country may be meant as well, a parish hardly.
         found.retain(|(other, place)| {
@@ -632,9 +646,7 @@ fn at(point: Coordinates, code: Option<&str>) -> Result<Place, NotFound> {
         };
         let is_swapped = || is_on_globe(swapped) && !self::told(&nearest(swapped)).is_empty();
         let swapped = (told.is_empty() && is_swapped()).then_some(swapped);
-        let unlisted = near.first().filter(|_| !told.is_empty());
-        let unlisted = unlisted.and_then(|place| Unlisted::of(place.country));
-        NotFound::Far(told, unlisted, swapped)
+        NotFound::Far(told, swapped)
     })
 }
 
@@ -690,14 +702,40 @@ pub fn nearest(point: Coordinates) -> Vec<Place> {
     found
 }
 
-/// Up to three places that a misspelt name may mean, the nearest first: one letter differs, two of more than eight, or a
-/// name of the table by hand begins with what was written.
-pub(super) fn near(name: &str) -> Vec<String> {
+/// Why a name is in no table. Of the names of a country alone, those are near that differ little from what stands before the
+/// country, or before the first comma: the province may be wrong.
+fn unknown(text: &str) -> NotFound {
+    let wanted = canonical(text);
+    let mut countries: Vec<&'static str> = places().iter().map(|place| place.country).collect();
+    countries.dedup();
+    let split = wanted.match_indices(' ').find_map(|(at, _)| {
+        let mut all = countries.iter();
+        let country = all.find(|country| is_country(&wanted[at + 1..], country))?;
+        Some((&wanted[..at], *country))
+    });
+    let Some((name, country)) = split else {
+        return NotFound::Unknown(near(text, None), None);
+    };
+    let mut found = near(name, Some(country));
+    if found.is_empty()
+        && let Some((first, _)) = text.split_once(',')
+    {
+        found = near(first, Some(country));
+    }
+    NotFound::Unknown(found, Unlisted::of(country))
+}
+
+/// Up to three places, of all or of one country, that a misspelt name may mean, the nearest first: one letter differs, two of
+/// more than eight, or a name of the table by hand begins with what was written.
+pub(super) fn near(name: &str, country: Option<&str>) -> Vec<String> {
     let wanted = canonical(name);
     let length = wanted.chars().count();
     let slips = if length > 8 { 2 } else { 1 };
     let mut found: Vec<(usize, &Place, bool)> = Vec::new();
     for (row, place) in places().iter().enumerate() {
+        if country.is_some_and(|country| place.country != country) {
+            continue;
+        }
         let is_by_hand = row < by_hand();
         let distance = place.names().filter_map(|name| {
             let name = canonical(name);

@@ -9,7 +9,7 @@ use freestand::synthesis::LONGEST_PERIOD_S;
 use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, shorten};
+use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
 use freestand_records::tables::hazard::{
@@ -115,8 +115,8 @@ fn read(words: &Words, path: &Path, bytes: &[u8], remedies: Remedies) -> Result<
         let mut target = target?;
         if let Some(statistic) = site.other_than_mean() {
             target.warnings.push(format!(
-                "the file {name} is {} of its hazard model, not the mean",
-                shorten(statistic)
+                "the file {name} is {} of its hazard model, not the mean: rates and losses from it are not means",
+                statistic.name_with_article()
             ));
         }
         target.file = Some(file);
@@ -305,8 +305,8 @@ fn of_spectrum(
 fn facts(site: &SiteHazard, years: Option<f64>) -> Vec<(String, String)> {
     let statistic = site
         .statistic
-        .as_deref()
-        .map_or_else(String::new, |kind| format!(", {kind}"));
+        .as_ref()
+        .map_or_else(String::new, |statistic| format!(", {}", statistic.name()));
     let mut facts = vec![fact(
         "Hazard file",
         format!("{}{statistic}", site.format.name()),
@@ -353,14 +353,18 @@ mod tests {
     #[test]
     fn a_file_says_what_it_is() {
         let place = [("place", "41.0, 28.9"), ("return_period_years", "475")];
-        let quantile = SPECTRA.replace("mean", "quantile-0.84");
         let said = |text: &str| {
             let target = in_file("uhs.csv", text, &place).unwrap();
             target.warnings.join("; ")
         };
-        assert!(
-            said(&quantile).contains("uhs.csv is quantile-0.84 of its hazard model, not the mean")
-        );
+        for (kind, name) in [
+            ("quantile-0.84", "the 84 % quantile"),
+            ("rlz-001", "one realization"),
+        ] {
+            let told = said(&SPECTRA.replace("mean", kind));
+            let wanted = format!("uhs.csv is {name} of its hazard model, not the mean: rates");
+            assert!(told.contains(&wanted), "{told}");
+        }
         assert!(!said(SPECTRA).contains("of its hazard model"));
         let values = r#"{"response":{"data":{"ss":1.9,"s1":0.7,"tl":12}}}"#;
         let fact = |text: &str, pairs: &[(&'static str, &str)]| {

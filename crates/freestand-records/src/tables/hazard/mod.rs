@@ -19,6 +19,7 @@ use std::path::Path;
 
 use freestand_input::file::load_up_to;
 use freestand_input::problem::Problem;
+use freestand_input::quantity::shorten;
 use freestand_input::words::number;
 
 pub use national::{NTC_YEARS, TsRow};
@@ -172,13 +173,68 @@ pub enum CodeValues {
     Ts1170_5(Vec<TsRow>),
 }
 
+/// Which of the results of a hazard model a file is: the branches of its logic trees are its realizations.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Statistic {
+    /// The mean over the realizations.
+    Mean,
+    /// A quantile of them, between 0 and 1.
+    Quantile(f64),
+    /// One of them.
+    Realization,
+    /// Another, as the file calls it.
+    Other(String),
+}
+
+// A quantile is never NaN.
+impl Eq for Statistic {}
+
+impl Statistic {
+    /// As OpenQuake writes it: `mean`, `quantile-0.95`, `rlz-001`.
+    fn of(kind: &str) -> Self {
+        let lower = kind.to_ascii_lowercase();
+        let known = match lower.split_once('-') {
+            None => (lower == "mean").then_some(Self::Mean),
+            Some(("quantile", value)) => Self::quantile(value),
+            Some(("rlz", _)) => Some(Self::Realization),
+            Some(_) => None,
+        };
+        known.unwrap_or_else(|| Self::Other(kind.to_owned()))
+    }
+
+    /// `None` for what is not between 0 and 1.
+    fn quantile(value: &str) -> Option<Self> {
+        let value: f64 = value.trim().parse().ok()?;
+        (value > 0.0 && value < 1.0).then_some(Self::Quantile(value))
+    }
+
+    /// The name in outputs.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Mean => "mean".to_owned(),
+            // Up to 99.9999 %, so that no quantile is 100 %.
+            Self::Quantile(value) => format!("{} % quantile", number(100.0 * value, 6)),
+            Self::Realization => "one realization".to_owned(),
+            Self::Other(kind) => format!("\"{}\"", shorten(kind)),
+        }
+    }
+
+    /// Its name in a sentence: `the 95 % quantile`.
+    pub fn name_with_article(&self) -> String {
+        match self {
+            Self::Mean | Self::Quantile(_) => format!("the {}", self.name()),
+            Self::Realization | Self::Other(_) => self.name(),
+        }
+    }
+}
+
 /// What a file has for one site.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SiteHazard {
     /// The format of the file.
     pub format: HazardFormat,
-    /// Which of several models it is: `mean`, `rlz-001`.
-    pub statistic: Option<String>,
+    /// Which of the results of its hazard model it is, if the file says so.
+    pub statistic: Option<Statistic>,
     /// Number of sites in the file.
     pub sites: usize,
     /// The name of the site in the file.
@@ -214,10 +270,11 @@ impl SiteHazard {
         }
     }
 
-    /// What it is in place of the mean of its models: `quantile-0.95`, `rlz-001`; `None`: the mean, or the file does not say.
-    pub fn other_than_mean(&self) -> Option<&str> {
-        let statistic = self.statistic.as_deref()?;
-        Some(statistic).filter(|statistic| !statistic.eq_ignore_ascii_case("mean"))
+    /// What it is in place of the mean of its hazard model; `None`: the mean, or the file does not say.
+    pub fn other_than_mean(&self) -> Option<&Statistic> {
+        self.statistic
+            .as_ref()
+            .filter(|statistic| **statistic != Statistic::Mean)
     }
 
     /// The return periods of its spectra \[years\].

@@ -8,7 +8,9 @@ use super::numbers::{
     Exceedance, Value, coordinates, curve, measure, return_period, spectrum, years,
 };
 use super::sites::{Site, Wanted, chosen};
-use super::{Coordinates, Curve, GroundMeasure, HazardFormat, ReturnSpectrum, SiteHazard};
+use super::{
+    Coordinates, Curve, GroundMeasure, HazardFormat, ReturnSpectrum, SiteHazard, Statistic,
+};
 
 const DOWNLOAD: &str = "download the file again: it may be cut off";
 /// Most XML nodes; each takes some tens of bytes while the file is read.
@@ -20,6 +22,9 @@ pub(super) fn is_it(bytes: &[u8]) -> bool {
     memchr::memmem::find(start, b"nrml").is_some()
         && memchr::memmem::find(bytes, b"azard").is_some()
 }
+
+/// The attributes that name the branches of a realization.
+const BRANCHES: [&str; 2] = ["sourceModelTreePath", "gsimTreePath"];
 
 /// A curve or a spectrum of a site, not yet judged.
 struct Found<'d> {
@@ -93,23 +98,18 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
         distance_km,
         ..SiteHazard::of(HazardFormat::Nrml)
     };
-    for one in found.iter().filter(|one| one.at == out.at) {
+    let here: Vec<&Found> = found.iter().filter(|one| one.at == out.at).collect();
+    out.statistic = here.first().and_then(|one| statistic(one));
+    for one in &here {
         let at_line = |problem: Problem| problem.at_line(one.line);
-        // The value of a quantile stands beside every statistic, also beside a mean.
-        let statistic = attribute(one, &["statistics"]).map(|kind| match kind {
-            "quantile" => attribute(one, &["quantileValue"])
-                .map_or_else(|| kind.to_owned(), |value| format!("{kind}-{value}")),
-            kind => kind.to_owned(),
-        });
-        if out.statistic.is_some() && statistic != out.statistic {
-            let message =
-                "the document has several statistics of one site, such as a mean and a quantile";
+        let is_other = |name: &&str| attribute(one, &[*name]) != attribute(here[0], &[*name]);
+        if statistic(one) != out.statistic || BRANCHES.iter().any(|name| is_other(name)) {
+            let message = "the document has several statistics or realizations of one site, such as a mean and a quantile";
             return Err(at_line(Problem::format(
                 message,
-                "leave the mean alone in the file",
+                "leave only the mean in the file",
             )));
         }
-        out.statistic = statistic;
         if is_curve(&one.node) {
             let curve = hazard_curve(&document, one).map_err(at_line)?;
             if out
@@ -157,6 +157,23 @@ fn attribute<'d>(one: &Found<'d>, names: &[&str]) -> Option<&'d str> {
             .filter(|node| named(*node, &["hazardProcessing", "IML", "IMLs"]))
             .find_map(of)
     })
+}
+
+/// Which of the results of its hazard model a curve is. The value of a quantile stands beside every statistic, also beside a mean.
+///
+/// # Reference
+/// OpenQuake, `ClassicalHazardCase7TestCase` of its `qa_tests`: the curve of a realization has the branches of its logic trees, and
+/// no `statistics`.
+fn statistic(one: &Found) -> Option<Statistic> {
+    match attribute(one, &["statistics"]) {
+        Some("quantile") => Some(
+            attribute(one, &["quantileValue"])
+                .and_then(Statistic::quantile)
+                .unwrap_or_else(|| Statistic::of("quantile")),
+        ),
+        Some(kind) => Some(Statistic::of(kind)),
+        None => attribute(one, &BRANCHES).map(|_| Statistic::Realization),
+    }
 }
 
 fn position(document: &Document, node: Node) -> Result<Option<Coordinates>, Problem> {

@@ -8,7 +8,7 @@ use freestand_input::quantity::shorten;
 use super::numbers::{Exceedance, Value, curve, measure, return_period, spectrum, years};
 use super::sites::Wanted;
 use super::table::{Head, Row, Table};
-use super::{GroundMeasure, HazardFormat, SiteHazard};
+use super::{GroundMeasure, HazardFormat, SiteHazard, Statistic};
 
 /// The key in the comment above the headings that states the periods of AvgSA, as `sa_avg(0.2:2)`;
 /// we write it, and OpenQuake keeps what it does not know.
@@ -65,14 +65,14 @@ fn needed<'c>(head: &'c Head, key: &str) -> Result<&'c str, Problem> {
     })
 }
 
-/// Which of the models it is: `mean`, `quantile-0.95`, `rlz-001`.
-fn statistic(head: &Head) -> Result<Option<String>, Problem> {
+/// Which of the results of its hazard model it is.
+fn statistic(head: &Head) -> Result<Option<Statistic>, Problem> {
     match stated(head, "kind")? {
         Some("std") => Err(head.problem(
             "the file has standard deviations between models, which are no hazard".to_owned(),
             "give the file of the mean, such as hazard_curve-mean-PGA_1.csv",
         )),
-        kind => Ok(kind.map(str::to_owned)),
+        kind => Ok(kind.map(Statistic::of)),
     }
 }
 

@@ -47,7 +47,7 @@ const CURVES: &str = "#,,,,\"generated_by='OpenQuake engine 3.18.0', start_date=
 fn probabilities_of_openquake_become_rates() {
     let site = read(CURVES, &at(-33.9, 151.2)).unwrap();
     assert_eq!(site.format, HazardFormat::OpenquakeCurves);
-    assert_eq!((site.statistic.as_deref(), site.sites), (Some("mean"), 2));
+    assert_eq!((site.statistic, site.sites), (Some(Statistic::Mean), 2));
     let [curve] = &site.curves[..] else { panic!() };
     assert_eq!(
         (
@@ -293,7 +293,7 @@ fn spectra_and_maps_of_openquake() {
         let text = format!("{HEAD}{text}");
         let site = anywhere(&text).unwrap();
         assert_eq!(site.format, format);
-        assert_eq!(site.statistic.as_deref(), Some("rlz-001"));
+        assert_eq!(site.statistic, Some(Statistic::Realization));
         let years = site.return_periods();
         close(years[0], -1.0 / (-0.002105_f64).ln_1p());
         let found = site.spectrum(Some(475.0)).unwrap();
@@ -523,10 +523,35 @@ fn the_statistic_of_a_file_is_known() {
         let head = head.replace("investigation_time", "imt='PGA', investigation_time");
         anywhere(&format!("{head}{curves}"))
     };
-    for kind in ["quantile-0.95", "rlz-001", "max"] {
-        assert_eq!(of(kind).unwrap().other_than_mean(), Some(kind));
+    for (kind, meant, name) in [
+        (
+            "quantile-0.95",
+            Statistic::Quantile(0.95),
+            "the 95 % quantile",
+        ),
+        (
+            "quantile-0.999999",
+            Statistic::Quantile(0.999_999),
+            "the 99.9999 % quantile",
+        ),
+        ("rlz-001", Statistic::Realization, "one realization"),
+        ("max", Statistic::Other("max".to_owned()), "\"max\""),
+        (
+            "quantile-95",
+            Statistic::Other("quantile-95".to_owned()),
+            "\"quantile-95\"",
+        ),
+    ] {
+        let site = of(kind).unwrap();
+        let found = site.other_than_mean().unwrap();
+        assert_eq!(
+            (found, found.name_with_article()),
+            (&meant, name.to_owned())
+        );
     }
-    assert_eq!(of("mean").unwrap().other_than_mean(), None);
+    for mean in ["mean", "Mean"] {
+        assert_eq!(of(mean).unwrap().other_than_mean(), None);
+    }
     assert!(
         of("std")
             .unwrap_err()
@@ -535,7 +560,59 @@ fn the_statistic_of_a_file_is_known() {
     );
     let quantile = NRML.replace("statistics=\"mean\"", "statistics=\"quantile\"");
     let site = read(&quantile, &at(44.43, 26.1)).unwrap();
-    assert_eq!(site.other_than_mean(), Some("quantile-0.5"));
+    assert_eq!(site.other_than_mean(), Some(&Statistic::Quantile(0.5)));
+}
+
+/// OpenQuake writes a realization with the branches of its logic trees and without `statistics`: it is not the mean.
+#[test]
+fn a_realization_of_nrml_is_not_the_mean() {
+    let field = |attributes: &str, imt: &str| {
+        format!(
+            "<hazardCurves {attributes} IMT=\"{imt}\" investigationTime=\"50.0\"><IMLs>0.1 0.5</IMLs><hazardCurve>\
+             <gml:Point><gml:pos>26.0 44.4</gml:pos></gml:Point><poEs>0.5 0.1</poEs></hazardCurve></hazardCurves>"
+        )
+    };
+    let document = |fields: &[String]| {
+        format!(
+            "<?xml version=\"1.0\"?><nrml xmlns=\"http://openquake.org/xmlns/nrml/0.5\" \
+             xmlns:gml=\"http://www.opengis.net/gml\">{}</nrml>",
+            fields.concat()
+        )
+    };
+    let of = |attributes: &str| anywhere(&document(&[field(attributes, "PGA")])).unwrap();
+    for branches in [
+        "sourceModelTreePath=\"b1\" gsimTreePath=\"b2\"",
+        "sourceModelTreePath=\"b1\"",
+        "gsimTreePath=\"b2\"",
+    ] {
+        assert_eq!(
+            of(branches).other_than_mean(),
+            Some(&Statistic::Realization),
+            "{branches}"
+        );
+    }
+    assert_eq!(
+        of("statistics=\"mean\" sourceModelTreePath=\"\"").other_than_mean(),
+        None
+    );
+    assert_eq!(of("").other_than_mean(), None);
+    // Statistics of one site differ in either order.
+    let quantile = "statistics=\"quantile\" quantileValue=\"0.95\"";
+    for [one, two] in [
+        ["", quantile],
+        [quantile, ""],
+        ["gsimTreePath=\"b2\"", ""],
+        ["gsimTreePath=\"b2\"", "gsimTreePath=\"b3\""],
+    ] {
+        let fields = [field(one, "PGA"), field(two, "PGV")];
+        let problem = anywhere(&document(&fields)).unwrap_err();
+        assert!(
+            problem.message.contains("several statistics"),
+            "{one}, then {two}: {problem}"
+        );
+    }
+    let two_measures = [field(quantile, "PGA"), field(quantile, "PGV")];
+    assert_eq!(anywhere(&document(&two_measures)).unwrap().curves.len(), 2);
 }
 
 /// As EFEHR answers for ESHM20 near Bucharest: the layout of NRML 0.3. `saPeriod` is that of the model, not of PGA.
@@ -562,8 +639,8 @@ const NRML: &str = r#"<?xml version="1.0" encoding="UTF-8" standalone="yes"?>
 fn curves_and_spectra_of_nrml() {
     let site = read(NRML, &at(44.43, 26.1)).unwrap();
     assert_eq!(
-        (site.format, site.statistic.as_deref()),
-        (HazardFormat::Nrml, Some("mean"))
+        (site.format, site.statistic),
+        (HazardFormat::Nrml, Some(Statistic::Mean))
     );
     let curve = &site.curves[0];
     assert_eq!(

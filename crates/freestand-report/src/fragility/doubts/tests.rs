@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use freestand::fragility::{LimitState, ShockFitError};
 use freestand_inventory::too_mild::TooMild;
+use freestand_records::tables::hazard::Statistic;
 use freestand_risk::export::{ExportDoubt, ExportFormat};
 use freestand_risk::fragility::Measure;
 use strum::{EnumCount, VariantArray as _};
@@ -101,7 +102,8 @@ fn every_doubt_in_words() {
         HazardDoubt::CertainPoints(1),
         HazardDoubt::EqualPoints(3),
         HazardDoubt::SiteAway { metres: 2345 },
-        HazardDoubt::OtherThanMean("quantile-0.95".to_owned()),
+        HazardDoubt::OtherThanMean(Statistic::Quantile(0.95)),
+        HazardDoubt::OtherThanMean(Statistic::Realization),
         HazardDoubt::DesignAccelerations,
         HazardDoubt::SlopeOfPlace,
         HazardDoubt::AssumedSite("site class C".to_owned()),

@@ -1,6 +1,7 @@
 //! Hazard curves: tests.
 
 use freestand::code_spectrum::Nzs1170_5;
+use freestand_records::tables::hazard::Statistic;
 
 use super::*;
 
@@ -116,7 +117,7 @@ fn a_downloaded_curve_is_that_of_the_measure() {
     let quantile = OPENQUAKE.replace("'mean'", "'quantile-0.95'");
     let of_quantile = hazard_of_bytes(quantile.as_bytes(), near, None).unwrap();
     let doubts: Vec<HazardDoubt> = of_quantile.doubts_at(near).collect();
-    assert!(doubts.contains(&HazardDoubt::OtherThanMean("quantile-0.95".to_owned())));
+    assert!(doubts.contains(&HazardDoubt::OtherThanMean(Statistic::Quantile(0.95))));
     let several = "LON,LAT,PGA-DD1,PGA-DD2,PGA-DD3,PGA-DD4,Ss-DD1,Ss-DD2,Ss-DD3,Ss-DD4,S1-DD1,S1-DD2,S1-DD3,S1-DD4,PGV-DD4,PGV-DD3,PGV-DD2,PGV-DD1\n\
                    24.55,39.95,1.32,0.716,0.218,0.138,3.273,1.714,0.501,0.317,0.878,0.437,0.121,0.076,7.596,12.321,44.717,83.452\n";
     let of = |measure| hazard_of_bytes(several.as_bytes(), None, measure);
