@@ -103,7 +103,7 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
     for one in &here {
         let at_line = |problem: Problem| problem.at_line(one.line);
         let is_other = |name: &&str| attribute(one, &[*name]) != attribute(here[0], &[*name]);
-        if statistic(one) != out.statistic || BRANCHES.iter().any(|name| is_other(name)) {
+        if statistic(one) != out.statistic || BRANCHES.iter().any(is_other) {
             let message = "the document has several statistics or realizations of one site, such as a mean and a quantile";
             return Err(at_line(Problem::format(
                 message,
