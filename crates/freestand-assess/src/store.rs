@@ -34,7 +34,7 @@ const PART: usize = 512;
 /// Objects of a part whose histories are followed one by one, for a tenth of a second and more: some minutes.
 const SLOW_PART: usize = 4;
 
-/// Objects of a part of an inventory: as many as have [`SLOW_PART`] slow ones among them on average.
+/// Objects of a part of an inventory: as many as have four slow ones among them on average.
 pub fn part_size(study: &Study, inventory: &Inventory) -> usize {
     let is_in_space = study.assessment.dimensions == Dimensions::Three;
     let is_slow = |item: &&Item| is_in_space || item.is_followed_alone();

@@ -498,16 +498,6 @@ struct Candidate<'a> {
     entries: Vec<&'a RestraintEntry>,
 }
 
-impl Candidate<'_> {
-    fn asked(&self) -> Asked {
-        Asked {
-            quantity: self.item.quantity,
-            decision: self.decision,
-            rating: LifeSafety::of(self.item).rating,
-        }
-    }
-}
-
 impl Budget {
     /// The plan for the objects of an assessment.
     pub fn plan(&self, priced: Priced, progress: Progress) -> BudgetPlan {
@@ -572,7 +562,14 @@ impl Budget {
         }
         Ok(Priced {
             rows,
-            objects: candidates.iter().map(Candidate::asked).collect(),
+            objects: candidates
+                .iter()
+                .map(|one| Asked {
+                    quantity: one.item.quantity,
+                    decision: one.decision,
+                    rating: LifeSafety::of(one.item).rating,
+                })
+                .collect(),
             has_rates: hazard.is_some(),
             extends,
             has_costs: self.has_costs,
