@@ -156,6 +156,9 @@ impl Pages {
                     &format!("] (`{}`)", from_root.display()),
                 );
                 continue;
+            } else if from_root == Path::new(START) {
+                let depth = Path::new(page).components().count() - 1;
+                format!("{}start.md", "../".repeat(depth))
             } else if path.ends_with(".md") && pages.contains(&from_root.to_string_lossy().as_ref())
             {
                 as_page(path)
