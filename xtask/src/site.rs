@@ -63,8 +63,10 @@ pub fn site(root: &Path, out: &Path) -> Result<(), String> {
     {
         pages.page(page, &written)?;
     }
-    let settings = staged.join("book.toml");
-    fs::copy(root.join(SOURCE).join("book.toml"), &settings).map_err(told(&settings))?;
+    for name in ["book.toml", "site.css", "site.js"] {
+        let to = staged.join(name);
+        fs::copy(root.join(SOURCE).join(name), &to).map_err(told(&to))?;
+    }
     run(&staged, &book.to_string_lossy(), &["build"])?;
     let built = staged.join("book");
 
