@@ -753,18 +753,15 @@ impl Budget {
             let mut own = rows.iter().filter(|(place, _)| *place == object).peekable();
             if asked.decision == Decision::Restrain && !chosen.contains_key(&object) {
                 not_restrained += asked.quantity;
-                without_option += if own.peek().is_none() {
-                    asked.quantity
-                } else {
-                    0
-                };
+                if own.peek().is_none() {
+                    without_option += asked.quantity;
+                }
             }
             let helps = |row: &PlanRow| {
                 row.effect.is_some() && row.standing != Standing::Out(NotPlanned::AvoidsNoFalls)
             };
-            let is_for_people =
-                asked.rating > Some(Rating::Low) && asked.decision != Decision::Leave;
-            if is_for_people && !own.any(|(_, row)| helps(row)) {
+            let is_rated = asked.rating > Some(Rating::Low) && asked.decision != Decision::Leave;
+            if is_rated && !own.any(|(_, row)| helps(row)) {
                 without_measure += asked.quantity;
             }
         }
