@@ -85,10 +85,14 @@ impl Firm {
             };
             let world = &mut worlds[*place];
             *index += block;
-            // Where an edge lets go matters at once to a world that was screened.
             let is_over = *index >= world.intervals();
-            let now = is_over || world.is_screened;
-            self.lanes.look(arch, lane, world.look(), now);
+            // Where an edge lets go matters at once to a world that was screened.
+            if world.is_screened {
+                self.lanes.look(arch, lane, world.look(), &world.of());
+            } else if is_over {
+                self.lanes
+                    .look_at_all(arch, lane, world.look(), &world.of());
+            }
             let reached = &self.lanes.reached[lane];
             if is_over || (world.is_screened && reached.left.is_some()) {
                 if world.after_pressed(reached) {
@@ -173,10 +177,13 @@ impl Loose {
         let mut has_left = false;
         while !has_left {
             lifted::advance(arch, &mut self.lanes);
-            for lane in 0..LANES {
-                if self.lanes.flags[lane] == 0.0 {
-                    continue;
-                }
+            let flags = self.lanes.flags.iter().enumerate();
+            let mut asking = flags.fold(0_u32, |asking, (lane, flags)| {
+                asking | u32::from(*flags != 0.0) << lane
+            });
+            while asking != 0 {
+                let lane = asking.trailing_zeros() as usize;
+                asking &= asking - 1;
                 let Some(place) = self.seats[lane] else {
                     continue;
                 };

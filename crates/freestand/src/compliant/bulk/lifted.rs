@@ -388,8 +388,10 @@ impl Lifted {
             let before = m.larger(before, zero);
             crossed[edge] = m.gt(zero, after);
             crossing = m.or(crossing, crossed[edge]);
-            let at = m.mul(h, m.div(before, m.sub(before, after)));
-            event_h = m.select(crossed[edge], m.smaller(at, event_h), event_h);
+            if m.any(crossed[edge]) {
+                let at = m.mul(h, m.div(before, m.sub(before, after)));
+                event_h = m.select(crossed[edge], m.smaller(at, event_h), event_h);
+            }
         }
         let near = m.or(m.ge(event, m.sub(h, event_h)), m.ge(event, h));
         let accepted = m.or(m.not(crossing), near);
@@ -431,8 +433,11 @@ impl Lifted {
             // The highest or lowest point of an edge inside the step, as under a steady acceleration.
             let (slow, fast) = (start.pressing[edge], last.pressing[edge]);
             let turns = m.and(accepted, m.gt(zero, m.mul(slow, fast)));
-            let reach = m.div(m.mul(m.mul(half_h, slow), slow), m.sub(slow, fast));
-            let inside = m.add(start.press[edge], m.select(turns, reach, zero));
+            let mut inside = start.press[edge];
+            if m.any(turns) {
+                let reach = m.div(m.mul(m.mul(half_h, slow), slow), m.sub(slow, fast));
+                inside = m.add(inside, m.select(turns, reach, zero));
+            }
             let outside = m.select(accepted, last.press[edge], start.press[edge]);
             lift = m.larger(m.sub(zero, m.smaller(inside, outside)), lift);
             let deepest = m.larger(inside, outside);

@@ -6,14 +6,23 @@
 //! x + r_z θ. The rows are those of the equation of motion at rest, with the weight on the arms
 //! that turn: −θ Σ r_z N_i.
 
+use pulp::Simd;
+
 use super::body::Body;
+use super::each::{each, six};
+use crate::vector::{Math, Numbers};
 
 /// x, z, θ and h times their rates.
 pub(super) const STATES: usize = 6;
 
-/// What [`Bounds`] weighs: the states in [`Modes`], the horizontal acceleration of the base at the start of a sample,
-/// its change, and the larger of both vertical ones.
-pub(super) const WEIGHED: usize = STATES + 3;
+/// What [`Bounds`] weighs: the states in [`Modes`], and of the base, each by its size, the horizontal acceleration at the
+/// start, its largest change over a sample, the largest difference of two such changes that follow each other, and the
+/// largest vertical acceleration.
+pub(super) const WEIGHED: usize = STATES + 4;
+pub(super) const LEVEL: usize = STATES;
+pub(super) const SLOPE: usize = STATES + 1;
+pub(super) const BEND: usize = STATES + 2;
+pub(super) const UP: usize = STATES + 3;
 
 /// The states, two accelerations of the base and their changes over the step.
 const ALL: usize = STATES + 4;
@@ -52,6 +61,32 @@ impl Recursion {
 }
 
 impl Recursion {
+    /// y at the end, with the accelerations of the base at the start and at the end, each way.
+    #[inline(always)]
+    pub(super) fn after<S: Simd>(
+        &self,
+        m: Math<S>,
+        y: [Numbers<S>; STATES],
+        a: [Numbers<S>; 2],
+        v: [Numbers<S>; 2],
+    ) -> [Numbers<S>; STATES] {
+        six!(k, {
+            let row = &self.state[k];
+            let (from, to) = (&self.from[k], &self.to[k]);
+            let mut one = m.mul(m.splat(from[0]), a[0]);
+            let mut two = m.mul(m.splat(to[0]), a[1]);
+            one = m.fma(m.splat(from[1]), v[0], one);
+            two = m.fma(m.splat(to[1]), v[1], two);
+            one = m.fma(m.splat(row[0]), y[0], one);
+            two = m.fma(m.splat(row[1]), y[1], two);
+            one = m.fma(m.splat(row[2]), y[2], one);
+            two = m.fma(m.splat(row[3]), y[3], two);
+            one = m.fma(m.splat(row[4]), y[4], one);
+            two = m.fma(m.splat(row[5]), y[5], two);
+            m.add(one, two)
+        })
+    }
+
     /// Over no time at all.
     fn nothing() -> Self {
         let mut state = [[0.0; STATES]; STATES];
@@ -90,7 +125,7 @@ impl Recursion {
 }
 
 /// A number of the block at an instant: its part of each state, and of the vertical acceleration of the base.
-type Row = [f64; STATES + 1];
+pub(super) type Row = [f64; STATES + 1];
 
 /// A whole sample, and what bounds the numbers of the block at all of its steps.
 #[derive(Debug, Clone)]
@@ -174,7 +209,7 @@ impl Sample {
     /// Of so many steps of a body.
     pub(super) fn new(body: &Body, step: &Recursion) -> Self {
         let parts = body.parts;
-        let numbers: [_; 2] = std::array::from_fn(|edge| Numbers::new(body, edge));
+        let numbers: [_; 2] = std::array::from_fn(|edge| EdgeNumbers::new(body, edge));
         let modes = Modes::new(body);
         let mut bounds = Bounds::default();
         let mut recursion = Recursion::nothing();
@@ -183,7 +218,7 @@ impl Sample {
             if done > 0 {
                 recursion = recursion.and(step, (done - 1) as f64 / parts as f64, ends);
             }
-            for Numbers {
+            for EdgeNumbers {
                 lost,
                 losing,
                 press,
@@ -247,23 +282,23 @@ impl Recursion {
             (all[mode], all[3 + mode]) = (place.abs(), rate.abs());
             steady += place * modes.held[mode];
         }
-        (all[STATES], all[STATES + 1]) = (steady.abs(), horizontal[1].abs());
-        all[STATES + 2] = vertical[0].abs() + vertical[1].abs();
+        (all[LEVEL], all[SLOPE]) = (steady.abs(), horizontal[1].abs());
+        all[UP] = vertical[0].abs() + vertical[1].abs();
         all
     }
 }
 
 /// What [`Look`](super::look::Look) finds of an edge, rates over a step, from the states at that instant.
-struct Numbers {
-    lost: Row,
+pub(super) struct EdgeNumbers {
+    pub(super) lost: Row,
     losing: Row,
-    press: Row,
+    pub(super) press: Row,
     pressing: Row,
-    up: Row,
+    pub(super) up: Row,
 }
 
-impl Numbers {
-    fn new(body: &Body, edge: usize) -> Self {
+impl EdgeNumbers {
+    pub(super) fn new(body: &Body, edge: usize) -> Self {
         let Body {
             spring,
             dashpot,
@@ -404,13 +439,13 @@ mod tests {
         let body = leaning();
         let a = rates(&body);
         for edge in 0..2 {
-            let Numbers {
+            let EdgeNumbers {
                 lost,
                 losing,
                 press,
                 pressing,
                 ..
-            } = Numbers::new(&body, edge);
+            } = EdgeNumbers::new(&body, edge);
             for (number, rate) in [(lost, losing), (press, pressing)] {
                 for (state, rate) in rate.iter().enumerate() {
                     // The vertical acceleration comes after the horizontal one and its change.

@@ -209,7 +209,7 @@ impl Looking {
             let a = [m.fma(start, change, a_from), m.fma(end, change, a_from)];
             let v = [m.fma(start, v_change, v_from), m.fma(end, v_change, v_from)];
             let before = y;
-            y = look.after::<S>(m, y, a, v);
+            y = look.step.after::<S>(m, y, a, v);
             let found = look.found::<S>(m, y, v[1]);
             let mut now = zero;
             let mut deepest = pressed;
@@ -256,32 +256,6 @@ impl Looking {
 }
 
 impl Look {
-    /// y after a step.
-    #[inline(always)]
-    fn after<S: Simd>(
-        &self,
-        m: Math<S>,
-        y: [Numbers<S>; STATES],
-        a: [Numbers<S>; 2],
-        v: [Numbers<S>; 2],
-    ) -> [Numbers<S>; STATES] {
-        six!(k, {
-            let row = &self.step.state[k];
-            let (from, to) = (&self.step.from[k], &self.step.to[k]);
-            let mut one = m.mul(m.splat(from[0]), a[0]);
-            let mut two = m.mul(m.splat(to[0]), a[1]);
-            one = m.fma(m.splat(from[1]), v[0], one);
-            two = m.fma(m.splat(to[1]), v[1], two);
-            one = m.fma(m.splat(row[0]), y[0], one);
-            two = m.fma(m.splat(row[1]), y[1], two);
-            one = m.fma(m.splat(row[2]), y[2], one);
-            two = m.fma(m.splat(row[3]), y[3], two);
-            one = m.fma(m.splat(row[4]), y[4], one);
-            two = m.fma(m.splat(row[5]), y[5], two);
-            m.add(one, two)
-        })
-    }
-
     /// What each edge carries more than at rest, and the accelerations that follow.
     #[inline(always)]
     fn found<S: Simd>(&self, m: Math<S>, y: [Numbers<S>; STATES], v: Numbers<S>) -> Found<S> {

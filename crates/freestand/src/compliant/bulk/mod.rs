@@ -4,9 +4,9 @@
 //! without slip, k_t = k. Worlds stand in lanes, sixteen abreast, each with its own block, pads and
 //! motion:
 //!
-//! * **Both edges on their pads** (`linear`, `stretch`, `pressed`, `look`): the linear equations of
-//!   (x, z, θ), exact over eight samples at once; the samples and the steps in between are taken where a
-//!   bound says that one may set a new extreme. Their first way through the whole motion is the screen: U, the largest part of its load
+//! * **Both edges on their pads** (`linear`, `stretch`, `reach`, `pressed`): the linear equations of
+//!   (x, z, θ), exact over eight samples at once; the samples (`through`) and the steps in between
+//!   (`look`) are taken where a bound says that one may set a new extreme. Their first way through the whole motion is the screen: U, the largest part of its load
 //!   at rest that an edge loses. Where U ≤ 1, that is all.
 //! * **Else** (`lifted`), from the first 0.15 of a load lost on: exact sines, Runge–Kutta steps of a
 //!   third of a radian of the fastest vibration, shortened to the events of contacts: let go at
@@ -26,8 +26,10 @@ mod lifted;
 mod linear;
 mod look;
 mod pressed;
+mod reach;
 mod stand;
 mod stretch;
+mod through;
 mod world;
 
 #[cfg(test)]
@@ -52,7 +54,7 @@ const LANES: usize = 16;
 type Lane = Column<LANES>;
 
 /// Worlds that a thread takes at once: enough to fill the lanes that worlds have left.
-const WORLDS: usize = 256;
+const WORLDS: usize = 1024;
 
 /// One world: an object on its pads, and what shakes it.
 #[derive(Debug, Clone, Copy, PartialEq)]

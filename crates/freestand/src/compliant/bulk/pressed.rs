@@ -3,105 +3,34 @@
 use pulp::{Arch, Simd, WithSimd};
 
 use super::each::{each, six};
-use super::linear::{Bounds, Recursion, STATES, Sample, WEIGHED};
+use super::linear::STATES;
 use super::look::{Look, Looking, Reached, Wanted};
+use super::reach::{AtOnce, Does, Highest, Reach};
 use super::stretch::{SAMPLES, Stretch};
+use super::through::{Of, Start, Through};
 use super::{LANES, Lane};
 use crate::vector::{Masks, Math, Numbers};
 
 /// Worlds side by side.
 ///
-/// They go from stretch to stretch. The samples in between are taken only where the bounds say that one of their steps
-/// may set a new extreme, and are looked at later, many of a world at once: what they find changes nothing elsewhere, so
-/// a world does not depend on its neighbours.
+/// They go from stretch to stretch. The samples in between are taken only of stretches in which the bounds say that
+/// one of their steps may set a new extreme, and later, many stretches of a world at once; so are those steps. What they
+/// find changes nothing elsewhere, so a world does not depend on its neighbours.
 #[derive(Debug, Default)]
 pub(super) struct Pressed {
     /// [`Stretch`].
     state: [[Lane; STATES]; STATES],
     base: [[[Lane; SAMPLES + 1]; STATES]; 2],
-    sample: Steps,
-    /// Of a stretch and of a sample.
-    bounds_of_stretch: Weights,
-    bounds: Weights,
-    /// [`Modes`](super::linear::Modes).
-    into: [[Lane; 3]; 3],
-    held: [Lane; 3],
-    /// The larger compression of both edges at rest.
-    deepest: Lane,
+    reach: Reach<Lane>,
+    at_once: AtOnce<Lane>,
+    highest: Highest<Lane>,
     y: [Lane; STATES],
-    /// [`Reached`], as far as samples were looked at: the acceleration is the smaller one of both edges.
-    most_lost: Lane,
-    most_pressed: Lane,
-    peak: Lane,
-    counts_to: Lane,
     pub(super) reached: [Reached; LANES],
-    /// Samples that are to be looked at.
-    wanted: [Vec<Wanted>; LANES],
+    /// Stretches whose samples may be taken, and samples that are to be looked at.
+    starts: [Vec<Start>; LANES],
+    wanted: Vec<Wanted>,
+    through: Through,
     looking: Looking,
-}
-
-/// [`Bounds`] in every lane.
-type Weights = [[Lane; WEIGHED]; 3];
-
-/// [`Recursion`] in every lane.
-#[derive(Debug, Default)]
-struct Steps {
-    state: [[Lane; STATES]; STATES],
-    from: [[Lane; 2]; STATES],
-    to: [[Lane; 2]; STATES],
-}
-
-impl Steps {
-    fn enter(&mut self, lane: usize, recursion: &Recursion) {
-        for (columns, row) in self.state.iter_mut().zip(&recursion.state) {
-            for (column, value) in columns.iter_mut().zip(row) {
-                column[lane] = *value;
-            }
-        }
-        let ways = [
-            (&mut self.from, &recursion.from),
-            (&mut self.to, &recursion.to),
-        ];
-        for (columns, rows) in ways {
-            for (column, value) in columns.iter_mut().flatten().zip(rows.iter().flatten()) {
-                column[lane] = *value;
-            }
-        }
-    }
-
-    fn leave(&mut self, lane: usize) {
-        let columns = self.state.iter_mut().flatten();
-        let ways = self.from.iter_mut().chain(&mut self.to).flatten();
-        columns.chain(ways).for_each(|column| column[lane] = 0.0);
-    }
-
-    /// y after it, while the base acceleration goes from the first to the second of each way.
-    #[inline(always)]
-    fn after<S: Simd>(
-        &self,
-        m: Math<S>,
-        i: usize,
-        y: [Numbers<S>; STATES],
-        [a, a_end]: [Numbers<S>; 2],
-        vertical: Option<[Numbers<S>; 2]>,
-    ) -> [Numbers<S>; STATES] {
-        six!(k, {
-            let row = &self.state[k];
-            let mut one = m.mul(self.from[k][0].get::<S>(i), a);
-            let mut two = m.mul(self.to[k][0].get::<S>(i), a_end);
-            if let Some([v, v_end]) = vertical {
-                one = m.fma(self.from[k][1].get::<S>(i), v, one);
-                two = m.fma(self.to[k][1].get::<S>(i), v_end, two);
-            }
-            one = m.fma(row[0].get::<S>(i), y[0], one);
-            two = m.fma(row[1].get::<S>(i), y[1], two);
-            one = m.fma(row[2].get::<S>(i), y[2], one);
-            two = m.fma(row[3].get::<S>(i), y[3], two);
-            one = m.fma(row[4].get::<S>(i), y[4], one);
-            two = m.fma(row[5].get::<S>(i), y[5], two);
-            m.add(one, two)
-        })
-    }
 }
 
 impl Pressed {
@@ -109,13 +38,12 @@ impl Pressed {
     pub(super) fn enter(
         &mut self,
         lane: usize,
-        sample: &Sample,
         stretch: &Stretch,
         y: &[f64; STATES],
-        deepest_m: f64,
+        of: &Of,
+        at_once: &AtOnce<f64>,
         reached: Reached,
     ) {
-        self.sample.enter(lane, &sample.recursion);
         let columns = self.state.iter_mut().flatten();
         for (column, value) in columns.zip(stretch.state.iter().flatten()) {
             column[lane] = *value;
@@ -124,67 +52,91 @@ impl Pressed {
         for (column, value) in columns.zip(stretch.base.iter().flatten().flatten()) {
             column[lane] = *value;
         }
-        for (all, Bounds { lost, press, up }) in [
-            (&mut self.bounds_of_stretch, &stretch.bounds),
-            (&mut self.bounds, &sample.bounds),
-        ] {
-            for (columns, weights) in all.iter_mut().zip([lost, press, up]) {
-                for (column, weight) in columns.iter_mut().zip(weights) {
-                    column[lane] = *weight;
-                }
-            }
-        }
-        for (columns, row) in self.into.iter_mut().zip(&sample.modes.into) {
-            for (column, value) in columns.iter_mut().zip(row) {
-                column[lane] = *value;
-            }
-        }
-        let pairs = self.y.iter_mut().zip(y);
-        for (column, value) in pairs.chain(self.held.iter_mut().zip(&sample.modes.held)) {
+        let reach = Reach::new(&of.sample.modes, &stretch.bounds);
+        self.reach.enter(lane, &reach);
+        for (column, value) in self.y.iter_mut().zip(y) {
             column[lane] = *value;
         }
-        self.deepest[lane] = deepest_m;
-        self.counts_to[lane] = reached.counts_to;
+        self.at_once.enter(lane, at_once);
+        self.highest
+            .enter(lane, &Highest::new(&reached, of.deepest_m));
         self.reached[lane] = reached;
-        self.wanted[lane].clear();
-        self.compare_with_reached(lane);
+        self.starts[lane].clear();
     }
 
-    fn compare_with_reached(&mut self, lane: usize) {
-        let reached = &self.reached[lane];
-        self.most_lost[lane] = reached.lost;
-        self.most_pressed[lane] = reached.pressed;
-        self.peak[lane] = reached.peaks[0].min(reached.peaks[1]);
+    /// Looks at what is wanted of a world so far, in the order of time.
+    pub(super) fn look(&mut self, arch: Arch, lane: usize, look: &Look, of: &Of) {
+        let mut starts = std::mem::take(&mut self.starts[lane]);
+        let reached = self.find(arch, lane, look, of, &starts, &Highest::default());
+        starts.clear();
+        self.starts[lane] = starts;
+        self.reached[lane] = reached;
+        let known = self.highest.of(lane);
+        self.highest
+            .enter(lane, &known.and(&Highest::new(&reached, of.deepest_m)));
     }
 
-    /// Looks at what is wanted of a world; with `now`, also where that does not fill the lanes.
-    pub(super) fn look(&mut self, arch: Arch, lane: usize, look: &Look, now: bool) {
-        let wanted = &mut self.wanted[lane];
-        let count = if now {
-            wanted.len()
-        } else {
-            wanted.len() / LANES * LANES
-        };
-        if count > 0 {
-            let reached = &mut self.reached[lane];
-            self.looking.at(arch, look, &wanted[..count], reached);
-            wanted.drain(..count);
-            self.compare_with_reached(lane);
+    /// The same of a world at its end. What its stretches begin with says before what it reaches, or nearly: few
+    /// stretches may find more. Where an edge loses so much that not everything counts, the order of time matters, and
+    /// nothing is known before.
+    pub(super) fn look_at_all(&mut self, arch: Arch, lane: usize, look: &Look, of: &Of) {
+        let known = self.highest.of(lane);
+        let starts = std::mem::take(&mut self.starts[lane]);
+        let counts_to = self.reached[lane].counts_to;
+        let found = (known.lost <= counts_to)
+            .then(|| self.find(arch, lane, look, of, &starts, &known))
+            .filter(|reached| reached.lost <= counts_to);
+        self.reached[lane] =
+            found.unwrap_or_else(|| self.find(arch, lane, look, of, &starts, &Highest::default()));
+        self.starts[lane] = starts;
+    }
+
+    /// What is reached in stretches in the order of time, where it is more than `known`.
+    fn find(
+        &mut self,
+        arch: Arch,
+        lane: usize,
+        look: &Look,
+        of: &Of,
+        starts: &[Start],
+        known: &Highest<f64>,
+    ) -> Reached {
+        let mut reached = self.reached[lane];
+        self.wanted.clear();
+        let highest = |reached: &Reached| Highest::new(reached, of.deepest_m).and(known);
+        let mut rest = starts.iter();
+        let mut now = Vec::with_capacity(LANES);
+        loop {
+            let most = highest(&reached);
+            let more = rest.by_ref().filter(|start| most.is_below(&start.most));
+            now.clear();
+            now.extend(more.take(LANES));
+            let is_last = now.len() < LANES;
+            self.through.take(arch, of, &now, &most, &mut self.wanted);
+            let count = if is_last {
+                self.wanted.len()
+            } else {
+                self.wanted.len() / LANES * LANES
+            };
+            self.looking
+                .at(arch, look, &self.wanted[..count], &mut reached);
+            self.wanted.drain(..count);
+            if is_last {
+                return reached;
+            }
         }
     }
 
     /// Takes a world out of a lane: zeros do nothing.
     pub(super) fn leave(&mut self, lane: usize) {
-        self.sample.leave(lane);
         let stretch = self.base.iter_mut().flatten().flatten();
         let stretch = stretch.chain(self.state.iter_mut().flatten());
-        let bounds = self.bounds_of_stretch.iter_mut().chain(&mut self.bounds);
-        let bounds = bounds.flatten().chain(stretch);
-        let held = self.held.iter_mut().chain(&mut self.y);
-        for column in bounds.chain(held) {
+        for column in stretch.chain(&mut self.y) {
             column[lane] = 0.0;
         }
-        self.deepest[lane] = 0.0;
+        self.reach.leave(lane);
+        self.at_once.leave(lane);
+        self.highest.enter(lane, &Highest::default());
     }
 }
 
@@ -220,6 +172,41 @@ impl WithSimd for Follow<'_> {
     }
 }
 
+/// What the base does in a stretch.
+#[inline(always)]
+fn does<S: Simd>(m: Math<S>, i: usize, horizontal: &[Lane], vertical: Option<&[Lane]>) -> Does<S> {
+    let zero = m.splat(0.0);
+    let level = horizontal[0].get::<S>(i);
+    let (mut slope, mut bend) = (zero, zero);
+    let mut now = level;
+    let mut change = None;
+    for next in &horizontal[1..] {
+        let next = next.get::<S>(i);
+        let by = m.sub(next, now);
+        slope = m.larger(m.abs(by), slope);
+        if let Some(before) = change {
+            bend = m.larger(m.abs(m.sub(by, before)), bend);
+        }
+        (now, change) = (next, Some(by));
+    }
+    let up = match vertical {
+        Some(vertical) => {
+            let mut up = zero;
+            for v in vertical {
+                up = m.larger(m.abs(v.get::<S>(i)), up);
+            }
+            Some(up)
+        }
+        None => None,
+    };
+    Does {
+        level,
+        slope,
+        bend: Some(bend),
+        up,
+    }
+}
+
 impl Pressed {
     #[inline(always)]
     fn pass<S: Simd>(&mut self, m: Math<S>, i: usize, ground: &Ground) {
@@ -228,26 +215,13 @@ impl Pressed {
         for (stretch, horizontal) in stretches.enumerate() {
             let first = stretch * SAMPLES;
             let vertical = ground.vertical.get(first..=first + SAMPLES);
-            let a = horizontal[0].get::<S>(i);
-            let mut change = m.splat(0.0);
-            for later in &horizontal[1..] {
-                change = m.larger(m.abs(m.sub(later.get::<S>(i), a)), change);
-            }
-            let up = match vertical {
-                Some(vertical) => {
-                    let mut up = m.splat(0.0);
-                    for v in vertical {
-                        up = m.larger(m.abs(v.get::<S>(i)), up);
-                    }
-                    Some(up)
-                }
-                None => None,
-            };
-            let may = self.may_find::<S>(m, i, &self.bounds_of_stretch, y, [a, change], up);
+            let does = does::<S>(m, i, horizontal, vertical);
+            let (may, most) = self.reach.may_find::<S>(m, i, y, does, &self.highest);
             if m.any(may) {
-                self.look_through::<S>(m, i, y, ground, first);
+                self.start::<S>(m, i, may, y, most, ground.first, first);
             }
             y = self.after::<S>(m, i, y, horizontal, vertical);
+            self.highest.with::<S>(m, i, &self.at_once, y);
         }
         for (column, value) in self.y.iter_mut().zip(y) {
             column.set::<S>(i, value);
@@ -285,130 +259,38 @@ impl Pressed {
         sums
     }
 
-    /// The samples of a stretch that begins so many after the start of the block.
+    /// Keeps a stretch whose samples are to be taken, in the lanes of the mask; it begins so many samples after the
+    /// start of the block.
     #[inline(always)]
-    fn look_through<S: Simd>(
-        &mut self,
-        m: Math<S>,
-        i: usize,
-        mut y: [Numbers<S>; STATES],
-        ground: &Ground,
-        first: usize,
-    ) {
-        for sample in first..first + SAMPLES {
-            let from = &ground.horizontal[sample];
-            let a = [from.get::<S>(i), ground.horizontal[sample + 1].get::<S>(i)];
-            let vertical = match ground.vertical.get(sample..) {
-                Some([from, to, ..]) => Some([from.get::<S>(i), to.get::<S>(i)]),
-                _ => None,
-            };
-            let change = m.abs(m.sub(a[1], a[0]));
-            let v = vertical.unwrap_or([m.splat(0.0); 2]);
-            let up = m.larger(m.abs(v[0]), m.abs(v[1]));
-            let up = vertical.is_some().then_some(up);
-            let may = self.may_find::<S>(m, i, &self.bounds, y, [a[0], change], up);
-            if m.any(may) {
-                self.want::<S>(m, i, may, y, ground, sample);
-            }
-            y = self.sample.after::<S>(m, i, y, a, vertical);
-        }
-    }
-
-    /// Keeps a sample to be looked at, in the lanes of the mask.
-    #[inline(always)]
-    fn want<S: Simd>(
+    fn start<S: Simd>(
         &mut self,
         m: Math<S>,
         i: usize,
         may: Masks<S>,
         y: [Numbers<S>; STATES],
-        ground: &Ground,
-        sample: usize,
+        most: [Numbers<S>; 3],
+        begins: [usize; LANES],
+        first: usize,
     ) {
-        let mut wants = Lane::default();
-        wants.set::<S>(i, m.select(may, m.splat(1.0), m.splat(0.0)));
+        let mut starts = Lane::default();
+        starts.set::<S>(i, m.select(may, m.splat(1.0), m.splat(0.0)));
         let mut now = [Lane::default(); STATES];
         for (column, value) in now.iter_mut().zip(y) {
             column.set::<S>(i, value);
         }
+        let mut bounds = [Lane::default(); 3];
+        for (column, value) in bounds.iter_mut().zip(most) {
+            column.set::<S>(i, value);
+        }
         let abreast = LANES / Lane::pairs::<S>();
         for lane in i * abreast..(i + 1) * abreast {
-            if wants[lane] > 0.0 {
-                let ends = |columns: &[Lane]| match columns.get(sample..) {
-                    Some([from, to, ..]) => [from[lane], to[lane]],
-                    _ => [0.0; 2],
-                };
-                self.wanted[lane].push(Wanted {
+            if starts[lane] > 0.0 {
+                self.starts[lane].push(Start {
                     y: now.each_ref().map(|column| column[lane]),
-                    horizontal: ends(&ground.horizontal),
-                    vertical: ends(&ground.vertical),
-                    sample: ground.first[lane] + sample,
+                    sample: begins[lane] + first,
+                    most: bounds.each_ref().map(|column| column[lane]),
                 });
             }
         }
-    }
-
-    /// Whether a step within a sample or a stretch could find more than was found before, with the
-    /// horizontal acceleration at its start and the largest change, and the largest vertical one.
-    #[inline(always)]
-    fn may_find<S: Simd>(
-        &self,
-        m: Math<S>,
-        i: usize,
-        bounds: &Weights,
-        y: [Numbers<S>; STATES],
-        [a, change]: [Numbers<S>; 2],
-        up: Option<Numbers<S>>,
-    ) -> Masks<S> {
-        let zero = m.splat(0.0);
-        let places = each!(
-            mode,
-            {
-                let into = &self.into[mode];
-                let held = m.mul(self.held[mode].get::<S>(i), a);
-                let place = m.fma(into[0].get::<S>(i), y[0], m.sub(zero, held));
-                let place = m.fma(into[1].get::<S>(i), y[1], place);
-                m.abs(m.fma(into[2].get::<S>(i), y[2], place))
-            },
-            0 1 2
-        );
-        let rates = each!(
-            mode,
-            {
-                let into = &self.into[mode];
-                let rate = m.mul(into[0].get::<S>(i), y[3]);
-                let rate = m.fma(into[1].get::<S>(i), y[4], rate);
-                m.abs(m.fma(into[2].get::<S>(i), y[5], rate))
-            },
-            0 1 2
-        );
-        let level = m.abs(a);
-        let most = each!(
-            of,
-            {
-                let weights = &bounds[of];
-                let mut one = m.mul(weights[STATES].get::<S>(i), level);
-                let mut two = m.mul(weights[STATES + 1].get::<S>(i), change);
-                if let Some(up) = up {
-                    one = m.fma(weights[STATES + 2].get::<S>(i), up, one);
-                }
-                one = m.fma(weights[0].get::<S>(i), places[0], one);
-                two = m.fma(weights[1].get::<S>(i), places[1], two);
-                one = m.fma(weights[2].get::<S>(i), places[2], one);
-                two = m.fma(weights[3].get::<S>(i), rates[0], two);
-                one = m.fma(weights[4].get::<S>(i), rates[1], one);
-                two = m.fma(weights[5].get::<S>(i), rates[2], two);
-                m.add(one, two)
-            },
-            0 1 2
-        );
-        let lost = self.most_lost.get::<S>(i);
-        let pressed = m.add(self.deepest.get::<S>(i), most[1]);
-        let pressed = m.ge(self.most_pressed.get::<S>(i), pressed);
-        let up = m.ge(self.peak.get::<S>(i), most[2]);
-        // What follows from pads that pull does not count.
-        let rest = m.or(m.gt(lost, self.counts_to.get::<S>(i)), m.and(pressed, up));
-        // Numbers that are none are looked at.
-        m.not(m.and(m.ge(lost, most[0]), rest))
     }
 }

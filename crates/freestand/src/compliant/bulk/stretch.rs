@@ -1,6 +1,6 @@
 //! Several samples at once: where a bound says that none of their steps sets a new extreme, nobody looks at them.
 
-use super::linear::{Bounds, Modes, Recursion, STATES, Sample, WEIGHED};
+use super::linear::{BEND, Bounds, LEVEL, Modes, Recursion, SLOPE, STATES, Sample, UP, WEIGHED};
 
 /// Samples of a stretch. The longer it is, the fewer products a sample takes, and the farther the bound is from what
 /// it bounds.
@@ -15,8 +15,7 @@ pub(super) struct Stretch {
     /// y at the end, by that at the start and by the accelerations of the base, each way.
     pub(super) state: [[f64; STATES]; STATES],
     pub(super) base: [[Base; STATES]; 2],
-    /// As of a sample. What is weighed of the base is its horizontal acceleration at the start of the stretch, the
-    /// largest difference from it, and the largest vertical one.
+    /// As of a sample.
     pub(super) bounds: Bounds,
 }
 
@@ -73,6 +72,12 @@ fn base(one: &Recursion, way: usize) -> [Base; STATES] {
 }
 
 /// From the bounds within a sample, and from how far its start may be from the start of the stretch.
+///
+/// The horizontal acceleration of the base is that at the start, a straight line by its first change, and from each
+/// later sample on a further straight line by the difference of the changes there. So is what follows from it: the
+/// response to a straight line from rest, which begins at each sample and is multiplied by at most the largest
+/// difference. The response is counted in the modes without the place that the acceleration would hold: a mode that is
+/// faster than the base hardly moves away from there.
 fn bounds(sample: &Sample) -> Bounds {
     let Sample {
         recursion,
@@ -82,28 +87,29 @@ fn bounds(sample: &Sample) -> Bounds {
     let one = in_modes(modes, &recursion.state);
     let of_way =
         |rows: &[[f64; 2]; STATES], way: usize| into_modes(modes, &rows.map(|ways| ways[way]));
-    let (mut from, mut to) = (of_way(&recursion.from, 0), of_way(&recursion.to, 0));
+    let (from, to) = (of_way(&recursion.from, 0), of_way(&recursion.to, 0));
     let (mut up_from, mut up_to) = (of_way(&recursion.from, 1), of_way(&recursion.to, 1));
     let mut held = [0.0; STATES];
     held[..3].copy_from_slice(&modes.held);
 
-    // What the start of a sample depends on, in the modes without the place that its acceleration would hold: the
-    // states at the start of the stretch, a steady acceleration, and at most so much the largest difference from it and
-    // the largest vertical acceleration. Each acts as the end of a sample and then as the start of the next one, the
-    // first one as a start alone.
-    let mut state = [[0.0; STATES]; STATES];
+    let mut state: Square = [[0.0; STATES]; STATES];
     for (k, row) in state.iter_mut().enumerate() {
         row[k] = 1.0;
     }
     let nothing: [f64; STATES] = [0.0; STATES];
-    let (mut steady, mut change, mut up) = (nothing, nothing, nothing);
-    let (mut begun, mut up_begun) = (nothing, nothing);
-    let mut place = held;
+    // Where a steady acceleration of 1 takes a block that it holds, and one that grows by 1 in a sample a block at
+    // rest; and the sizes of the latter so far, without where it would be held.
+    let (mut steady, mut line, mut bend) = (held, nothing, nothing);
+    // At most so much the largest vertical acceleration does, which acts as the end of a sample and then as the start
+    // of the next one, the first one as a start alone.
+    let (mut up, mut up_begun) = (nothing, nothing);
     let mut all = Bounds::default();
-    for _ in 0..SAMPLES {
-        let still = times(&state, &held);
-        let steady_now: [f64; STATES] =
-            std::array::from_fn(|k| (still[k] + steady[k] - held[k]).abs());
+    for place in 0..SAMPLES {
+        let before = place as f64;
+        let away = |y: &[f64; STATES], a: f64| -> [f64; STATES] {
+            std::array::from_fn(|k| (y[k] - a * held[k]).abs())
+        };
+        let (steady_now, line_now) = (away(&steady, 1.0), away(&line, before));
         let up_now: [f64; STATES] = std::array::from_fn(|k| up[k] + up_begun[k].abs());
         for (most, weights) in [
             (&mut all.lost, &bounds.lost),
@@ -114,31 +120,44 @@ fn bounds(sample: &Sample) -> Bounds {
                 let pairs = weights.iter().zip(sizes);
                 pairs.map(|(weight, size)| weight * size).sum::<f64>()
             };
-            let (level, slope) = (weights[STATES], weights[STATES + 1]);
             let mut now = [0.0; WEIGHED];
             for (k, now) in now.iter_mut().take(STATES).enumerate() {
                 *now = sum(&state.map(|row| row[k].abs()));
             }
-            now[STATES] = sum(&steady_now) + level;
-            // Two accelerations that differ by at most this from the first differ by at most twice this.
-            now[STATES + 1] = sum(&change) + level + 2.0 * slope;
-            now[STATES + 2] = sum(&up_now) + weights[STATES + 2];
+            now[LEVEL] = sum(&steady_now) + weights[LEVEL];
+            // So far the acceleration has changed by at most so many of the largest change.
+            now[SLOPE] = sum(&line_now) + before * weights[LEVEL] + weights[SLOPE];
+            now[BEND] = sum(&bend);
+            now[UP] = sum(&up_now) + weights[UP];
             for (most, now) in most.iter_mut().zip(now) {
                 *most = most.max(now);
             }
         }
         for k in 0..STATES {
-            change[k] += (begun[k] + to[k] - place[k]).abs();
+            bend[k] += line_now[k];
             up[k] += (up_begun[k] + up_to[k]).abs();
-            steady[k] += from[k] + to[k];
         }
-        (begun, up_begun, place) = (from, up_from, nothing);
+        let goes_on = |y: &[f64; STATES], a: f64, a_end: f64| -> [f64; STATES] {
+            let moved = times(&one, y);
+            std::array::from_fn(|k| moved[k] + a * from[k] + a_end * to[k])
+        };
+        steady = goes_on(&steady, 1.0, 1.0);
+        line = goes_on(&line, before, before + 1.0);
+        up_begun = up_from;
         state = product(&one, &state);
-        (from, to) = (times(&one, &from), times(&one, &to));
         (up_from, up_to) = (times(&one, &up_from), times(&one, &up_to));
+    }
+    for weights in [&mut all.lost, &mut all.press, &mut all.up] {
+        // Differences are rounded where their accelerations are.
+        weights[SLOPE] += DIFFERENCE * weights[BEND];
+        weights[LEVEL] += DIFFERENCE * (weights[SLOPE] + weights[BEND]);
     }
     all
 }
+
+/// What rounding may do to the difference of two differences of accelerations, as a share of these and of their
+/// changes over a stretch: a hundred times what it does.
+const DIFFERENCE: f64 = 1e-12;
 
 /// Places and rates of the modes from those of the block.
 fn into_modes(modes: &Modes, y: &[f64; STATES]) -> [f64; STATES] {
@@ -206,13 +225,48 @@ mod tests {
         }
     }
 
-    /// Starts of a stretch, and what its base does, in which only one thing that is weighed is not zero, but 1: which
-    /// one, y and the base. The differences, and the vertical accelerations, have all signs: no smaller ones are worse.
-    fn cases(modes: &Modes) -> Vec<(usize, [f64; STATES], [Base; 2])> {
+    /// A start of a stretch, and what its base does each way.
+    struct Case {
+        y: [f64; STATES],
+        base: [Base; 2],
+    }
+
+    impl Case {
+        /// What the bounds weigh of it.
+        fn sizes(&self, modes: &Modes) -> [f64; WEIGHED] {
+            let [horizontal, vertical] = &self.base;
+            let largest = |values: &[f64]| values.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
+            let changes: Vec<f64> = horizontal.windows(2).map(|a| a[1] - a[0]).collect();
+            let bends: Vec<f64> = changes.windows(2).map(|a| a[1] - a[0]).collect();
+            let mut all = [0.0; WEIGHED];
+            all[..STATES].copy_from_slice(&into_modes(modes, &self.y));
+            for (place, held) in all.iter_mut().zip(modes.held) {
+                *place -= held * horizontal[0];
+            }
+            all[LEVEL] = horizontal[0];
+            (all[SLOPE], all[BEND]) = (largest(&changes), largest(&bends));
+            all[UP] = largest(vertical);
+            all.map(f64::abs)
+        }
+
+        /// The same of one of its samples, which has no two changes.
+        fn sizes_in(&self, modes: &Modes, y: [f64; STATES], sample: usize) -> [f64; WEIGHED] {
+            let base = self.base.each_ref().map(|base| {
+                let mut ends = [base[sample + 1]; SAMPLES + 1];
+                ends[0] = base[sample];
+                ends
+            });
+            let mut all = Self { y, base }.sizes(modes);
+            all[BEND] = 0.0;
+            all
+        }
+    }
+
+    /// Those in which one thing that is weighed is 1, and all others are as small as they then can be. Differences of
+    /// changes, and vertical accelerations, have all signs: no smaller ones are worse.
+    fn cases(modes: &Modes) -> Vec<(usize, Case)> {
         let (still, at_rest) = ([0.0; SAMPLES + 1], [0.0; STATES]);
-        let signs = |of: usize| -> Base {
-            std::array::from_fn(|at| if of >> at & 1 == 0 { 1.0 } else { -1.0 })
-        };
+        let sign = |of: usize, at: usize| if of >> at & 1 == 0 { 1.0 } else { -1.0 };
         let y = |places: &[f64; STATES]| -> [f64; STATES] {
             std::array::from_fn(|k| {
                 let (half, i) = (k / 3 * 3, k % 3);
@@ -221,55 +275,61 @@ mod tests {
             })
         };
         let mut cases = Vec::new();
+        let mut add = |by: usize, y: [f64; STATES], base: [Base; 2]| {
+            cases.push((by, Case { y, base }));
+        };
         for sign in [1.0, -1.0] {
             for mode in 0..STATES {
                 let mut alone = at_rest;
                 alone[mode] = sign;
-                cases.push((mode, y(&alone), [still; 2]));
+                add(mode, y(&alone), [still; 2]);
             }
             let mut held = at_rest;
             held[..3].copy_from_slice(&modes.held.map(|held| sign * held));
-            cases.push((STATES, y(&held), [[sign; SAMPLES + 1], still]));
+            add(LEVEL, y(&held), [[sign; SAMPLES + 1], still]);
+            let line = std::array::from_fn(|at| sign * at as f64);
+            add(SLOPE, at_rest, [line, still]);
         }
-        for of in 0..1 << SAMPLES {
-            let mut differences = signs(of << 1);
-            differences[0] = 0.0;
-            cases.push((STATES + 1, at_rest, [differences, still]));
+        for of in 0..1 << (SAMPLES - 1) {
+            let (mut a, mut change) = (still, 0.0);
+            for at in 1..SAMPLES {
+                change += sign(of, at - 1);
+                a[at + 1] = a[at] + change;
+            }
+            add(BEND, at_rest, [a, still]);
         }
         for of in 0..1 << (SAMPLES + 1) {
-            cases.push((STATES + 2, at_rest, [still, signs(of)]));
+            let vertical = std::array::from_fn(|at| sign(of, at));
+            add(UP, at_rest, [still, vertical]);
         }
         cases
     }
 
-    /// What the bounds of a sample weigh.
-    fn sizes(modes: &Modes, y: &[f64; STATES], base: &[Base; 2], sample: usize) -> [f64; WEIGHED] {
-        let [a, a_end] = [base[0][sample], base[0][sample + 1]];
-        let up = base[1][sample].abs().max(base[1][sample + 1].abs());
-        let mut all = [0.0; WEIGHED];
-        all[..STATES].copy_from_slice(&into_modes(modes, y));
-        for (place, held) in all.iter_mut().zip(modes.held) {
-            *place -= held * a;
-        }
-        (all[STATES], all[STATES + 1], all[STATES + 2]) = (a, a_end - a, up);
-        all.map(f64::abs)
+    fn bound(weights: &[f64; WEIGHED], sizes: &[f64; WEIGHED]) -> f64 {
+        weights
+            .iter()
+            .zip(sizes)
+            .map(|(weight, size)| weight * size)
+            .sum()
     }
 
     /// Where one thing alone is weighed in a sample, what bounds it in the stretch is no smaller than it can be, and no
-    /// larger either.
+    /// larger either: of the places and rates of the modes by each thing, and of what the base does by the same.
     #[test]
     fn the_bound_of_one_thing_in_a_stretch_is_its_worst_case() {
         assert_eq!(soft().parts, 1);
         for body in [leaning(), soft()] {
             let sample = Sample::new(&body, &Recursion::new(&body));
             let mut worst = [[0.0_f64; WEIGHED]; WEIGHED];
-            for (by, mut y, base) in cases(&sample.modes) {
+            let cases = cases(&sample.modes);
+            for (by, case) in &cases {
+                let mut y = case.y;
                 for i in 0..SAMPLES {
-                    let sizes = sizes(&sample.modes, &y, &base, i);
+                    let sizes = case.sizes_in(&sample.modes, y, i);
                     for (worst, size) in worst.iter_mut().zip(sizes) {
-                        worst[by] = worst[by].max(size);
+                        worst[*by] = worst[*by].max(size);
                     }
-                    y = after(&sample.recursion, y, &base, i);
+                    y = after(&sample.recursion, y, &case.base, i);
                 }
             }
             let place = sample
@@ -281,13 +341,36 @@ mod tests {
                 let mut alone = sample.clone();
                 alone.bounds.lost = [0.0; WEIGHED];
                 alone.bounds.lost[of] = 1.0;
-                let bound = bounds(&alone).lost;
-                for (by, (found, worst)) in bound.into_iter().zip(worst).enumerate() {
-                    // Rounding of a dozen products for each sample, with places and sums of this size.
+                let weights = bounds(&alone).lost;
+                for (by, worst) in worst.iter().enumerate() {
+                    // A level and a change that follow from differences of changes are weighed as what they are.
+                    if of >= STATES && by != of && (by, of) != (SLOPE, LEVEL) {
+                        continue;
+                    }
+                    let found = weights[by];
+                    // What is added for rounding, and rounding of a dozen products for each sample, with places and sums
+                    // of this size.
+                    let rounding = DIFFERENCE * 10.0 * weights.iter().sum::<f64>();
                     assert!(
-                        (found - worst).abs() < 1e-13 * (place + worst),
+                        (found - worst).abs() < rounding + 1e-13 * (place + worst),
                         "{of} by {by}: {found} {worst}"
                     );
+                }
+            }
+            // Together they bound every size.
+            for (_, case) in &cases {
+                let (all, mut y) = (case.sizes(&sample.modes), case.y);
+                for i in 0..SAMPLES {
+                    let sizes = case.sizes_in(&sample.modes, y, i);
+                    for (of, size) in sizes.into_iter().enumerate() {
+                        let mut alone = sample.clone();
+                        alone.bounds.lost = [0.0; WEIGHED];
+                        alone.bounds.lost[of] = 1.0;
+                        let most = bound(&bounds(&alone).lost, &all);
+                        // As above.
+                        assert!(size <= most + 1e-13 * (place + most), "{of}: {size} {most}");
+                    }
+                    y = after(&sample.recursion, y, &case.base, i);
                 }
             }
         }
@@ -302,42 +385,42 @@ mod tests {
             let step = Recursion::new(&body);
             let sample = Sample::new(&body, &step);
             let look = Look::new(&body, step);
+            let Bounds { lost, press, up } = bounds(&sample);
             let mut looking = Looking::default();
-            let mut highest = [[0.0_f64; WEIGHED]; 3];
-            for (by, mut y, base) in cases(&sample.modes) {
-                let mut wanted = Vec::new();
+            let mut closest = [[0.0_f64; WEIGHED]; 3];
+            for (by, case) in cases(&sample.modes) {
+                let (mut y, mut wanted) = (case.y, Vec::new());
                 for i in 0..SAMPLES {
                     let [horizontal, vertical] =
-                        base.map(|base| [FAR * base[i], FAR * base[i + 1]]);
+                        case.base.map(|base| [FAR * base[i], FAR * base[i + 1]]);
                     wanted.push(Wanted {
                         y: y.map(|y| FAR * y),
                         horizontal,
                         vertical,
                         sample: i,
                     });
-                    y = after(&sample.recursion, y, &base, i);
+                    y = after(&sample.recursion, y, &case.base, i);
                 }
                 let mut reached = Reached {
                     counts_to: f64::INFINITY,
                     ..Reached::default()
                 };
                 looking.at(pulp::Arch::new(), &look, &wanted, &mut reached);
-                let up = reached.peaks[0].max(reached.peaks[1]);
-                for (highest, found) in highest.iter_mut().zip([reached.lost, reached.pressed, up])
-                {
-                    highest[by] = highest[by].max(found / FAR);
-                }
-            }
-            let Bounds { lost, press, up } = bounds(&sample);
-            for (of, (bound, highest)) in [lost, press, up].into_iter().zip(highest).enumerate() {
-                for (by, (bound, highest)) in bound.into_iter().zip(highest).enumerate() {
+                let highest = reached.peaks[0].max(reached.peaks[1]);
+                let found = [reached.lost, reached.pressed, highest];
+                let sizes = case.sizes(&sample.modes);
+                for (of, (weights, found)) in [lost, press, up].iter().zip(found).enumerate() {
+                    let (most, found) = (bound(weights, &sizes), found / FAR);
                     // Rounding, and what the compression at rest adds.
-                    assert!(
-                        bound >= (1.0 - 1e-9) * highest,
-                        "{of} by {by}: {bound} {highest}"
-                    );
+                    assert!(most >= (1.0 - 1e-9) * found, "{of} by {by}: {most} {found}");
+                    if most > 0.0 {
+                        closest[of][by] = closest[of][by].max(found / most);
+                    }
                 }
             }
+            // None is so far away that it could be anything: the loosest sums up all that differences of changes do.
+            let by_states = closest.iter().flat_map(|closest| &closest[..STATES]);
+            assert!(by_states.copied().fold(0.0, f64::max) > 0.9, "{closest:?}");
         }
     }
 }

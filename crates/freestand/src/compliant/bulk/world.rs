@@ -5,7 +5,9 @@ use super::lifted::{CONTACT_CHANGES, FALLEN, Lifted, PULSE_ENDS, SAMPLE_ENDS};
 use super::linear::{Recursion, STATES, Sample};
 use super::look::{FIRM_RATIO, Look, Reached};
 use super::pressed::Pressed;
+use super::reach::AtOnce;
 use super::stretch::Stretch;
+use super::through::Of;
 use super::{CompliantSummary, PadOutcome};
 use crate::compliant::CompliantError;
 use crate::motion::Motion;
@@ -159,9 +161,18 @@ impl<'a> World<'a> {
             left: None,
             counts_to,
         };
+        let at_once = AtOnce::new(&self.body);
+        pressed.enter(lane, &self.stretch, &y, &self.of(), &at_once, reached);
+    }
+
+    /// What its stretches are of.
+    pub(super) fn of(&self) -> Of<'_> {
         let [left_m, right_m] = self.body.rest.compressions;
-        let (sample, deepest_m) = (&self.sample, left_m.max(right_m));
-        pressed.enter(lane, sample, &self.stretch, &y, deepest_m, reached);
+        Of {
+            sample: &self.sample,
+            deepest_m: left_m.max(right_m),
+            base: [self.horizontal, self.vertical],
+        }
     }
 
     /// What its steps are looked at with.
