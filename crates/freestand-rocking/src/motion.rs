@@ -72,7 +72,9 @@ impl Motion {
                 samples: accel_m_s2.len(),
             });
         }
-        if let Some(index) = accel_m_s2.iter().position(|a| !a.is_finite()) {
+        // Without a way out the loop is one of vectors.
+        let is_finite = accel_m_s2.iter().fold(true, |all, a| all & a.is_finite());
+        if !is_finite && let Some(index) = accel_m_s2.iter().position(|a| !a.is_finite()) {
             return Err(MotionError::NotFinite {
                 index,
                 value: accel_m_s2[index],

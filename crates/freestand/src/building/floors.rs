@@ -1,8 +1,10 @@
 //! The motion of the floors of a building.
 
+use std::ops::Range;
+
 use super::{Building, BuildingError};
 use crate::motion::Motion;
-use crate::oscillator::{OscillatorState, OscillatorStep, step_of_period};
+use crate::oscillator::{LANES, LaneGroup, LaneStates, Lanes, step_of_period};
 
 /// Motion of one floor; see [`floor_motions`].
 ///
@@ -87,27 +89,93 @@ fn floor_accelerations(
     let accel = ground.accel_m_s2();
     let mut floors: Vec<Vec<f64>> = levels
         .iter()
-        .map(|level| accel.iter().map(|a| level.residual * a).collect())
+        .map(|_| Vec::with_capacity(accel.len()))
         .collect();
-    follow::<false>(ground, building, |from, histories| {
+    follow::<false>(ground, building, |block, histories| {
+        let ground = accel.get(block.clone()).unwrap_or_default();
         for (floor, level) in floors.iter_mut().zip(&levels) {
-            let samples = floor.get_mut(from..).unwrap_or_default();
-            widest.dispatch(
-                #[inline(always)]
-                || add_all(samples, level, histories),
-            );
+            floor.resize(block.end, 0.0);
+            widest.dispatch(Sum {
+                samples: floor.get_mut(block.clone()).unwrap_or_default(),
+                ground,
+                level,
+                histories,
+            });
         }
     })?;
     Ok(floors)
 }
 
-/// Adds the modes to the samples of a block, each in turn. Nothing is fused, so the vector unit changes no bit.
-#[inline(always)]
-fn add_all(samples: &mut [f64], level: &Shares, histories: &[History]) {
-    for (share, history) in level.modes.iter().zip(histories) {
-        for (sample, value) in samples.iter_mut().zip(&history.absolute_m_s2) {
-            *sample += share * value;
+/// Samples whose sums are kept in the registers of a vector unit.
+const SUMMED: usize = 32;
+
+/// The samples of a block, to be compiled for each vector unit: the share of the ground, and the modes, each in turn.
+/// Nothing is fused, so the vector unit changes no bit.
+struct Sum<'a> {
+    samples: &'a mut [f64],
+    ground: &'a [f64],
+    level: &'a Shares,
+    histories: &'a [History],
+}
+
+impl pulp::WithSimd for Sum<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let Self {
+            samples,
+            ground,
+            level,
+            histories,
+        } = self;
+        let (wholes, rest) = samples.as_chunks_mut::<SUMMED>();
+        let (ground, ground_of_rest) = ground.as_chunks::<SUMMED>();
+        let begun = SUMMED * wholes.len();
+        for (place, (sums, ground)) in wholes.iter_mut().zip(ground).enumerate() {
+            let mut now = [0.0; SUMMED];
+            for i in 0..SUMMED {
+                now[i] = level.residual * ground[i];
+            }
+            for (share, history) in level.modes.iter().zip(histories) {
+                let (values, _) = history.absolute_m_s2.as_chunks::<SUMMED>();
+                if let Some(values) = values.get(place) {
+                    for i in 0..SUMMED {
+                        now[i] += share * values[i];
+                    }
+                }
+            }
+            *sums = now;
         }
+        for (place, (sum, ground)) in rest.iter_mut().zip(ground_of_rest).enumerate() {
+            *sum = level.residual * ground;
+            for (share, history) in level.modes.iter().zip(histories) {
+                *sum += share * history.absolute_m_s2[begun + place];
+            }
+        }
+    }
+}
+
+/// Oscillators that go on through a block, to be compiled for each vector unit.
+struct Advance<'a> {
+    group: &'a LaneGroup,
+    states: &'a mut LaneStates,
+    accel_m_s2: &'a [f64],
+    absolute_m_s2: &'a mut [Lanes],
+    displacement_m: &'a mut [Lanes],
+}
+
+impl pulp::WithSimd for Advance<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.group.advance(
+            self.states,
+            self.accel_m_s2,
+            self.absolute_m_s2,
+            self.displacement_m,
+        );
     }
 }
 
@@ -171,10 +239,14 @@ pub fn floor_peaks(
         .collect();
     let accel = ground.accel_m_s2();
     let mut floor = Floor::default();
-    follow::<true>(ground, building, |from, histories| {
+    follow::<true>(ground, building, |block, histories| {
         floor.displacement.clear();
         for (peak, level) in peaks.iter_mut().zip(&levels) {
-            floor.move_to(level, accel.get(from..).unwrap_or_default(), histories);
+            floor.move_to(
+                level,
+                accel.get(block.clone()).unwrap_or_default(),
+                histories,
+            );
             raise(&mut peak.accel_m_s2, floor.absolute.iter().copied());
             raise(&mut peak.displacement_m, floor.displacement.iter().copied());
             let below = floor.below.iter().copied().chain(std::iter::repeat(0.0));
@@ -260,9 +332,8 @@ fn add(samples: &mut [f64], share: f64, history: &[f64]) {
 }
 
 /// The oscillator of one mode during one block of time.
+#[derive(Default)]
 struct History {
-    step: OscillatorStep,
-    state: OscillatorState,
     absolute_m_s2: Vec<f64>,
     /// Empty where nobody reads it.
     displacement_m: Vec<f64>,
@@ -272,88 +343,78 @@ struct History {
 /// summed for every floor.
 const BLOCK: usize = 256;
 
-/// Calculates the oscillators of all modes once, block by block; `each` receives the index of the
-/// block's first sample. With `DISPLACED`, their displacements are kept too.
+/// Calculates the oscillators of all modes once, side by side and block by block; `each` receives the samples of the
+/// block. With `DISPLACED`, their displacements are kept too.
 fn follow<const DISPLACED: bool>(
     ground: &Motion,
     building: &Building,
-    mut each: impl FnMut(usize, &[History]),
+    mut each: impl FnMut(Range<usize>, &[History]),
 ) -> Result<(), BuildingError> {
-    let mut histories =
-        building
-            .modes
-            .iter()
-            .map(|mode| {
-                // The building and the motion are valid, so the only error left is a period too short
-                // for its ω².
-                let step = step_of_period(mode.period_s, mode.damping_ratio, ground.dt_s())
-                    .map_err(|_| BuildingError::Period {
-                        period_s: mode.period_s,
-                    })?;
-                let new = || Vec::with_capacity(BLOCK);
-                let state = OscillatorState::default();
-                Ok(History {
-                    step,
-                    state,
-                    absolute_m_s2: new(),
-                    displacement_m: new(),
-                })
-            })
-            .collect::<Result<Vec<_>, BuildingError>>()?;
+    let steps = building.modes.iter().map(|mode| {
+        // The building and the motion are valid, so the only error left is a period too short
+        // for its ω².
+        let period_s = mode.period_s;
+        let step = step_of_period(period_s, mode.damping_ratio, ground.dt_s());
+        step.map(Some)
+            .map_err(|_| BuildingError::Period { period_s })
+    });
+    let steps = steps.collect::<Result<Vec<_>, BuildingError>>()?;
+    let mut groups: Vec<(LaneGroup, LaneStates)> = steps
+        .chunks(LANES)
+        .map(|steps| (LaneGroup::new(steps), LaneStates::default()))
+        .collect();
+    let mut histories: Vec<History> = steps.iter().map(|_| History::default()).collect();
+    let widest = pulp::Arch::new();
     let accel = ground.accel_m_s2();
+    let mut absolute_m_s2 = vec![[0.0; LANES]; BLOCK];
+    let mut displacement_m = vec![[0.0; LANES]; if DISPLACED { BLOCK } else { 0 }];
     for from in (0..accel.len()).step_by(BLOCK) {
         let to = accel.len().min(from + BLOCK);
+        // The very first sample is at rest.
+        let rests = usize::from(from == 0);
         let samples = &accel[from.saturating_sub(1)..to];
-        let (together, alone) = histories.as_chunks_mut::<TOGETHER>();
-        together
-            .iter_mut()
-            .for_each(|histories| advance::<_, DISPLACED>(histories, samples, from == 0));
-        alone.iter_mut().for_each(|history| {
-            advance::<_, DISPLACED>(std::array::from_mut(history), samples, from == 0)
-        });
-        each(from, &histories);
+        let groups = groups.iter_mut().zip(histories.chunks_mut(LANES));
+        for ((group, states), histories) in groups {
+            widest.dispatch(Advance {
+                group,
+                states,
+                accel_m_s2: samples,
+                absolute_m_s2: &mut absolute_m_s2,
+                displacement_m: &mut displacement_m,
+            });
+            let advanced = samples.len() - 1;
+            for (lane, history) in histories.iter_mut().enumerate() {
+                of_lane(
+                    &mut history.absolute_m_s2,
+                    rests,
+                    &absolute_m_s2[..advanced],
+                    lane,
+                );
+                if DISPLACED {
+                    of_lane(
+                        &mut history.displacement_m,
+                        rests,
+                        &displacement_m[..advanced],
+                        lane,
+                    );
+                }
+            }
+        }
+        each(from..to, &histories);
     }
     Ok(())
 }
 
-/// Modes that are followed side by side: each sample of one waits for the sample before it.
-const TOGETHER: usize = 5;
-
-/// Calculates the block with the samples `accel_m_s2`, which follows the previous block, for several
-/// modes; the very first sample is at rest.
-fn advance<const N: usize, const DISPLACED: bool>(
-    histories: &mut [History; N],
-    accel_m_s2: &[f64],
-    at_rest: bool,
-) {
-    let samples = (accel_m_s2.len().saturating_sub(1)) + usize::from(at_rest);
-    for history in histories.iter_mut() {
-        // The first sample stays at zero where the building is at rest.
-        history.absolute_m_s2.clear();
-        history.absolute_m_s2.resize(samples, 0.0);
-        history.displacement_m.clear();
-        if DISPLACED {
-            history.displacement_m.resize(samples, 0.0);
-        }
-    }
-    let steps = histories.each_ref().map(|history| history.step);
-    let mut states = histories.each_ref().map(|history| history.state);
-    for (place, pair) in (usize::from(at_rest)..).zip(accel_m_s2.windows(2)) {
-        for ((history, state), step) in histories.iter_mut().zip(&mut states).zip(&steps) {
-            *state = step.advance(*state, pair[0], pair[1]);
-            history.absolute_m_s2[place] = step.absolute_acceleration_m_s2(*state);
-            if DISPLACED {
-                history.displacement_m[place] = state.displacement_m;
-            }
-        }
-    }
-    for (history, state) in histories.iter_mut().zip(states) {
-        history.state = state;
-    }
+/// The history of one lane, after so many samples at rest.
+fn of_lane(history: &mut Vec<f64>, rests: usize, lanes: &[Lanes], lane: usize) {
+    history.clear();
+    history.resize(rests, 0.0);
+    history.extend(lanes.iter().map(|lanes| lanes[lane]));
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Mode;
     use super::*;
     use crate::oscillator::absolute_acceleration_history_m_s2;
 
@@ -376,6 +437,46 @@ mod tests {
         let floor = floor_motion(&ground, &building, 0.0).unwrap();
         for (a, b) in floor.accel_m_s2().iter().zip(ground.accel_m_s2()) {
             assert_eq!(a.to_bits(), b.to_bits());
+        }
+    }
+
+    /// Side by side, and for several samples at once, the modes have the bits that each has alone; more of them than lanes,
+    /// and more samples than a block, with a rest.
+    #[test]
+    fn floors_are_the_sums_of_their_modes_bit_for_bit() {
+        let building = Building::beam(2.0, 0.02, 5.0, LANES + 3).unwrap();
+        let ground = shaking();
+        assert!(ground.accel_m_s2().len() > BLOCK && ground.accel_m_s2().len() % SUMMED > 0);
+        let modes: Vec<Vec<f64>> = building
+            .modes
+            .iter()
+            .map(|mode| {
+                let Mode {
+                    period_s,
+                    damping_ratio,
+                    ..
+                } = *mode;
+                absolute_acceleration_history_m_s2(&ground, period_s, damping_ratio).unwrap()
+            })
+            .collect();
+        for level_ratio in [0.1, 0.5, 1.0] {
+            let Shares {
+                residual,
+                modes: shares,
+            } = Shares::new(&building, level_ratio);
+            let floor = floor_motion(&ground, &building, level_ratio).unwrap();
+            for (i, (found, a)) in floor
+                .accel_m_s2()
+                .iter()
+                .zip(ground.accel_m_s2())
+                .enumerate()
+            {
+                let mut expected = residual * a;
+                for (share, mode) in shares.iter().zip(&modes) {
+                    expected += share * mode[i];
+                }
+                assert_eq!(found.to_bits(), expected.to_bits(), "{level_ratio} {i}");
+            }
         }
     }
 
