@@ -444,6 +444,13 @@ impl<'a> Worlds<'a> {
         }
     }
 
+    /// The same worlds, with their floors kept, as many as there is room for.
+    pub(crate) fn keeping_floors(&self) -> Worlds<'a> {
+        let mut worlds = self.at_intensity(self.intensity_ratio);
+        worlds.floors.get_or_insert_default();
+        worlds
+    }
+
     /// The place of the motion that a world uses, among those that are used in turn.
     fn in_turn(&self, world: u32, again: u32, count: usize) -> usize {
         if again == 0 {

@@ -23,12 +23,13 @@ use freestand_study::study::Study;
 
 use super::draw::{Change, Draw, Drawn, draw};
 use super::object::{Model, Subject, Way};
+use super::over_worlds::grouped;
 use super::over_worlds::quantile;
 use super::per_year::{INTENSITIES, WORLDS};
 use super::respond::responses;
 use super::response::{Lived, Lost, RigidResponse};
 use super::slip::slips;
-use super::trial::{HULL_WORLDS, Life, Question, Trial, answer, floors, grouped, live, live_again};
+use super::trial::{HULL_WORLDS, Life, Question, Trial, answer, floors, live, live_again};
 use super::{Context, Member};
 
 /// How a restraint holds an object, and how strong it is.

@@ -110,6 +110,18 @@ impl<'a> Context<'a> {
         }
     }
 
+    /// The same in other worlds; no history is counted yet.
+    fn in_worlds(&self, worlds: Worlds<'a>) -> Self {
+        Self {
+            study: self.study,
+            worlds,
+            wants_shares: self.wants_shares,
+            wants_to_stop: self.wants_to_stop,
+            watch: self.watch,
+            histories: AtomicU64::default(),
+        }
+    }
+
     /// Rocking histories that were computed.
     pub(crate) fn histories(&self) -> u64 {
         self.histories.load(Ordering::Relaxed)

@@ -1,4 +1,4 @@
-//! Numbers of an object over its worlds: quantiles and shares.
+//! Numbers of an object over its worlds (quantiles and shares), and what has the same worlds together.
 
 use crate::result::Ranked;
 use freestand_study::statistics::{QUANTILES, ranked_quantile};
@@ -25,4 +25,18 @@ pub(super) fn share(values: impl Iterator<Item = bool>) -> f64 {
         (holds + usize::from(one), count + 1)
     });
     holds as f64 / count.max(1) as f64
+}
+
+/// What belongs to each key, in the order of their first appearance.
+pub(super) fn grouped<K: PartialEq>(
+    items: impl Iterator<Item = (K, usize)>,
+) -> Vec<(K, Vec<usize>)> {
+    let mut groups: Vec<(K, Vec<usize>)> = Vec::new();
+    for (key, place) in items {
+        match groups.iter_mut().find(|(other, _)| *other == key) {
+            Some((_, places)) => places.push(place),
+            None => groups.push((key, vec![place])),
+        }
+    }
+    groups
 }

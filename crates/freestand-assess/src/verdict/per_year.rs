@@ -142,12 +142,8 @@ impl<'a> Context<'a> {
     /// The same worlds at another intensity.
     pub(super) fn at_intensity(&self, ratio: f64) -> Context<'a> {
         Context {
-            study: self.study,
-            worlds: self.worlds.at_intensity(ratio),
             wants_shares: false,
-            wants_to_stop: self.wants_to_stop,
-            watch: self.watch,
-            histories: Default::default(),
+            ..self.in_worlds(self.worlds.at_intensity(ratio))
         }
     }
 }

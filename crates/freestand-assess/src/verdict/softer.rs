@@ -13,7 +13,7 @@ use super::Context;
 use super::object::{Subject, Way};
 use super::on_pads::on_pads;
 use super::over_worlds::quantile;
-use super::trial::{Question, Trial, live};
+use super::trial::{Question, Trial, live_on};
 
 /// Pads that are tried, each [`NEXT_PAD`] times as stiff as the one before.
 const TRIED_PADS: i32 = 8;
@@ -32,55 +32,90 @@ const ASSUMED_PAD_M: f64 = 0.02;
 
 /// For each trial the first pad that passed, else the first that was too close to call, else the
 /// softest that was tried; `None` where no pad was looked for.
+///
+/// An object whose pad failed is at its first worlds again. Those go on together that need the same worlds next, from
+/// the first worlds to the last ones and then again from the first: so the floors of a world are calculated for as many
+/// as possible at once, and those of the first worlds, in which most pads fail, are kept.
 pub(super) fn softer(
     context: &Context,
     trials: &[Trial],
 ) -> Result<Vec<Option<Softening>>, Problems> {
     let mut found: Vec<Option<Softening>> = trials.iter().map(|_| None).collect();
-    let mut open: Vec<usize> = (0..trials.len())
-        .filter(|&place| is_wanted(context, &trials[place]))
-        .collect();
-    for step in 1..=TRIED_PADS {
-        let mut tried: Vec<(usize, f64, Trial)> = Vec::new();
-        for &place in &open {
-            let trial = &trials[place];
-            let Some(subject) = on_softer(&trial.subject, NEXT_PAD.powi(step)) else {
-                continue;
-            };
-            let Some(stiffness_n_m) = subject
-                .body
-                .as_ref()
-                .and_then(|body| body.cushion.linear_stiffness_n_m())
-            else {
-                continue;
-            };
-            tried.push((
-                place,
-                stiffness_n_m,
-                Trial::new(context, trial.member, subject),
-            ));
-        }
-        let (places, mut softened): (Vec<(usize, f64)>, Vec<Trial>) = tried
-            .into_iter()
-            .map(|(place, stiffness_n_m, trial)| ((place, stiffness_n_m), trial))
-            .unzip();
-        live(context, &mut softened)?;
-        for ((place, stiffness_n_m), trial) in places.into_iter().zip(&softened) {
-            let verdict = verdict(context, trial, stiffness_n_m);
-            if verdict.is_final {
-                open.retain(|one| *one != place);
-            }
-            // A pad that was too close to call says more than a softer one that clearly fails.
-            if verdict.softening.admissible()
-                || !found[place]
-                    .as_ref()
-                    .is_some_and(|earlier| earlier.outcome == CLOSE)
-            {
-                found[place] = Some(verdict.softening);
+    let with_first_floors = context.in_worlds(context.worlds.keeping_floors());
+    let (mut pads, mut softened): (Vec<Pad>, Vec<Trial>) = trials
+        .iter()
+        .enumerate()
+        .filter(|(_, trial)| is_wanted(context, trial))
+        .filter_map(|(place, trial)| tried(context, trial, place, 1))
+        .unzip();
+    let mut reached = (0, 0);
+    loop {
+        // Verdicts on pads that need no further world.
+        for at in (0..pads.len()).rev() {
+            if softened[at].is_settled() {
+                let (pad, trial) = (pads.swap_remove(at), softened.swap_remove(at));
+                let Verdict {
+                    softening,
+                    is_final,
+                } = verdict(context, &trial, pad.stiffness_n_m);
+                // A pad that was too close to call says more than a softer one that clearly fails.
+                let earlier = found[pad.place].as_ref();
+                let is_kept = earlier.is_some_and(|earlier| earlier.outcome == CLOSE);
+                if softening.admissible() || !is_kept {
+                    found[pad.place] = Some(softening);
+                }
+                let next = || tried(context, &trials[pad.place], pad.place, pad.step + 1);
+                if let Some((pad, trial)) = (!is_final).then(next).flatten() {
+                    pads.push(pad);
+                    softened.push(trial);
+                }
             }
         }
+        let ends = |trial: &Trial| trial.next().map(|worlds| (worlds.start, worlds.end));
+        let next = || softened.iter().filter_map(ends);
+        let ahead = next().filter(|ends| *ends >= reached).min();
+        let Some(worlds) = ahead.or_else(|| next().min()) else {
+            context.count(usize::try_from(with_first_floors.histories()).unwrap_or(0));
+            return Ok(found);
+        };
+        reached = worlds;
+        let together = softened.iter().enumerate();
+        let together = together.filter(|(_, trial)| ends(trial) == Some(worlds));
+        let together: Vec<usize> = together.map(|(at, _)| at).collect();
+        let context = if worlds.0 == 0 {
+            &with_first_floors
+        } else {
+            context
+        };
+        live_on(context, &mut softened, worlds.0..worlds.1, &together)?;
     }
-    Ok(found)
+}
+
+/// A pad that is tried for the object at a place.
+struct Pad {
+    place: usize,
+    /// How many times as soft as its own it is, in steps of [`NEXT_PAD`].
+    step: i32,
+    stiffness_n_m: f64,
+}
+
+/// The object on the next softer pad from this step on; `None`: there is none.
+fn tried<'a>(
+    context: &Context,
+    trial: &Trial<'a>,
+    place: usize,
+    from: i32,
+) -> Option<(Pad, Trial<'a>)> {
+    (from..=TRIED_PADS).find_map(|step| {
+        let subject = on_softer(&trial.subject, NEXT_PAD.powi(step))?;
+        let body = subject.body.as_ref()?;
+        let pad = Pad {
+            place,
+            step,
+            stiffness_n_m: body.cushion.linear_stiffness_n_m()?,
+        };
+        Some((pad, Trial::new(context, trial.member, subject)))
+    })
 }
 
 /// A softer pad is looked for where the shock alone is too hard or too close to call, and depends

@@ -16,6 +16,7 @@ use freestand_study::study::assessment::Spread;
 
 use super::draw::{Change, Draw, Drawn, draw};
 use super::object::{Model, Subject, Way};
+use super::over_worlds::grouped;
 use super::respond::responses;
 use super::response::{
     AxisMotion, Lived, Lost, PadMotion, PadResponse, RigidResponse, demand_capacity, overturned,
@@ -44,7 +45,7 @@ pub(super) const HULL_WORLDS: u32 = 80;
 const SAME_SHAKING_CORRELATION: f64 = 0.75;
 
 /// Histories of objects on pads between two looks whether to stop: a second of two cores.
-const ON_PADS_AT_ONCE: usize = 1024;
+const ON_PADS_AT_ONCE: usize = 4096;
 
 /// What is asked of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -110,7 +111,8 @@ impl<'a> Trial<'a> {
         self.looks.last().copied().unwrap_or(0)
     }
 
-    fn next(&self) -> Option<Range<u32>> {
+    /// The worlds that come next.
+    pub(super) fn next(&self) -> Option<Range<u32>> {
         let from = self.worlds();
         let to = self.looks.iter().copied().find(|&look| look > from)?;
         (!self.is_done).then_some(from..to)
@@ -433,29 +435,7 @@ fn live_through(
             return Ok(());
         }
         for (range, places) in groups {
-            let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
-            let levels = grouped(places.iter().map(level));
-            each_block(
-                context,
-                range,
-                &levels,
-                Change::None,
-                |worlds, on_floors| {
-                    let standing: Vec<Standing> = on_floors
-                        .iter()
-                        .map(|&(place, floors)| Standing {
-                            trial: &trials[place],
-                            floors,
-                            is_told: tell.is_some(),
-                        })
-                        .collect();
-                    let more = lived_together(context, worlds, &standing, Change::None)?;
-                    for (&(place, _), more) in on_floors.iter().zip(more) {
-                        trials[place].lived.extend(more);
-                    }
-                    Ok(())
-                },
-            )?;
+            live_in(context, trials, range, &places, tell.is_some())?;
         }
         trials
             .par_iter_mut()
@@ -467,18 +447,50 @@ fn live_through(
     }
 }
 
-/// What belongs to each key, in the order of their first appearance.
-pub(super) fn grouped<K: PartialEq>(
-    items: impl Iterator<Item = (K, usize)>,
-) -> Vec<(K, Vec<usize>)> {
-    let mut groups: Vec<(K, Vec<usize>)> = Vec::new();
-    for (key, place) in items {
-        match groups.iter_mut().find(|(other, _)| *other == key) {
-            Some((_, places)) => places.push(place),
-            None => groups.push((key, vec![place])),
-        }
+/// Adds the next worlds, which are the same ones, to the trials at these places.
+pub(super) fn live_on(
+    context: &Context,
+    trials: &mut [Trial],
+    range: Range<u32>,
+    places: &[usize],
+) -> Result<(), Problems> {
+    live_in(context, trials, range, places, false)?;
+    for &place in places {
+        trials[place].settle(context);
     }
-    groups
+    Ok(())
+}
+
+fn live_in(
+    context: &Context,
+    trials: &mut [Trial],
+    range: Range<u32>,
+    places: &[usize],
+    is_told: bool,
+) -> Result<(), Problems> {
+    let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
+    let levels = grouped(places.iter().map(level));
+    each_block(
+        context,
+        range,
+        &levels,
+        Change::None,
+        |worlds, on_floors| {
+            let standing: Vec<Standing> = on_floors
+                .iter()
+                .map(|&(place, floors)| Standing {
+                    trial: &trials[place],
+                    floors,
+                    is_told,
+                })
+                .collect();
+            let more = lived_together(context, worlds, &standing, Change::None)?;
+            for (&(place, _), more) in on_floors.iter().zip(more) {
+                trials[place].lived.extend(more);
+            }
+            Ok(())
+        },
+    )
 }
 
 /// Motions of floors that are held at a time, of all worlds and floors: 150 MB of two components of
