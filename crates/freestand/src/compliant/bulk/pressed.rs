@@ -218,7 +218,7 @@ impl Pressed {
             let does = does::<S>(m, i, horizontal, vertical);
             let (may, most) = self.reach.may_find::<S>(m, i, y, does, &self.highest);
             if m.any(may) {
-                self.start::<S>(m, i, may, y, most, ground.first, first);
+                self.start::<S>(m, i, may, y, most, ground.first.map(|lane| lane + first));
             }
             y = self.after::<S>(m, i, y, horizontal, vertical);
             self.highest.with::<S>(m, i, &self.at_once, y);
@@ -259,8 +259,7 @@ impl Pressed {
         sums
     }
 
-    /// Keeps a stretch whose samples are to be taken, in the lanes of the mask; it begins so many samples after the
-    /// start of the block.
+    /// Keeps a stretch whose samples may be taken, in the lanes of the mask; it begins with these samples.
     #[inline(always)]
     fn start<S: Simd>(
         &mut self,
@@ -269,8 +268,7 @@ impl Pressed {
         may: Masks<S>,
         y: [Numbers<S>; STATES],
         most: [Numbers<S>; 3],
-        begins: [usize; LANES],
-        first: usize,
+        samples: [usize; LANES],
     ) {
         let mut starts = Lane::default();
         starts.set::<S>(i, m.select(may, m.splat(1.0), m.splat(0.0)));
@@ -287,7 +285,7 @@ impl Pressed {
             if starts[lane] > 0.0 {
                 self.starts[lane].push(Start {
                     y: now.each_ref().map(|column| column[lane]),
-                    sample: begins[lane] + first,
+                    sample: samples[lane],
                     most: bounds.each_ref().map(|column| column[lane]),
                 });
             }
