@@ -158,8 +158,8 @@ impl Question for VirtualTests {
             let options = drops(&mut read, mass_kg, noise, seed);
             let (mut edge, options) = read.problems.finish(edge.zip(options))?;
             let options = options(&edge.cushion);
-            let doubts: Vec<String> = edge.stiffness_doubts(options.mass_kg).collect();
-            edge.notes.extend(doubts);
+            let doubts = edge.stiffness_doubts(options.mass_kg);
+            edge.notes.extend(doubts.iter().map(ToString::to_string));
             (edge, Plan::Drop(options))
         };
         Ok(Meant {

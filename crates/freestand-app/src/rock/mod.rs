@@ -13,7 +13,7 @@ use crate::walls::Walls;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
 
-pub use answer::{Answer, Followed, OfMotion, Results};
+pub use answer::{Answer, Did, Followed, OfMotion, Results};
 pub use resolve::{Asked, Meant};
 
 /// The schema of the response.
