@@ -29,13 +29,12 @@ request! {
         mut_arg("azimuth", |arg| arg.hide(true)),
         mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
     )]
-    pub struct PairKeys {
+    pub struct PairKeys under "Reading records" {
         /// A record with two horizontal components, or two records with one each
         #[arg(value_name = "FILE")]
         pub motion: Vec<Written>,
         /// The two components to read from one file with several: names or numbers, such as "1, 2"
-        #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
-        pub components: Option<Written>,
+        pub components = "NAME, NAME",
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,
@@ -49,14 +48,11 @@ request! { question
         #[command(flatten)]
         pub pair: PairKeys,
         /// Azimuth of the new component, clockwise from north
-        #[arg(long, value_name = "ANGLE")]
-        pub to: Option<Written>,
+        pub to = "ANGLE",
         /// Azimuths of the two components [default: those stated in the files]
-        #[arg(long, value_name = "ANGLE, ANGLE")]
-        pub azimuths: Option<Written>,
+        pub azimuths = "ANGLE, ANGLE",
         /// Format to write [default: csv]
-        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-        pub format: Option<Written>,
+        pub format = "FORMAT" with (value_parser = one_of(FORMATS)),
     }
 }
 
@@ -74,14 +70,11 @@ request! { question
         #[command(flatten)]
         pub pair: PairKeys,
         /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
-        #[arg(long, value_name = "LIST")]
-        pub percentiles: Option<Written>,
+        pub percentiles = "LIST",
         /// Damping ratio [default: 5 %]
-        #[arg(long, value_name = "RATIO")]
-        pub damping: Option<Written>,
+        pub damping = "RATIO",
         /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-        #[arg(long, value_name = "GRID")]
-        pub periods: Option<Written>,
+        pub periods = "GRID",
     }
 }
 
