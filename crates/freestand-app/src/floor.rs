@@ -187,7 +187,7 @@ impl Floor {
         let levels = levels(&mut read);
         let floors = building.map(|building| {
             let tables = building.tables.iter();
-            inputs.extend(tables.map(|(_, table)| table.file.path.clone()));
+            inputs.extend(tables.map(|table| table.file.path.clone()));
             if building.across.is_some() && matches!(how.second, Second::None) {
                 read.note(
                     &["components"],

@@ -24,7 +24,7 @@ use freestand_study::study::Study;
 use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
-use crate::verdict::{Context, Member, Subject, assess_one, round_body};
+use crate::verdict::{AssessedOne, Context, Member, Subject, assess_one, round_body};
 pub use crate::verdict::{Follow, HULL_FRICTION_RATIO, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
@@ -310,7 +310,11 @@ fn in_study<'r>(
     let at = |scale_ratio: f64, follow| -> Result<(AtScale, Option<Shown>), Problems> {
         let worlds = worlds.at_intensity(scale_ratio);
         let context = Context::new(&shaken.study, worlds, 1, wants_to_stop);
-        let (found, tally, shown) = assess_one(&context, &member, follow)?;
+        let AssessedOne {
+            found,
+            tally,
+            shown,
+        } = assess_one(&context, &member, follow)?;
         let at = AtScale {
             scale_ratio,
             found,

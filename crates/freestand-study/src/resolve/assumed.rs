@@ -117,10 +117,7 @@ fn above(building: &BuildingInput, stated: &Stated) -> Vec<StudyAssumption> {
             building.period_note
         )));
     }
-    let states_damping = building
-        .tables
-        .iter()
-        .any(|(_, table)| table.states_damping);
+    let states_damping = building.tables.iter().any(|table| table.states_damping);
     if !states_damping && !stated.of_building("damping") {
         let ratio = building
             .along
