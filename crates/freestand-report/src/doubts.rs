@@ -195,3 +195,6 @@ pub fn spectrum_doubt(doubt: &SpectrumDoubt) -> String {
         ),
     }
 }
+
+#[cfg(test)]
+mod tests;

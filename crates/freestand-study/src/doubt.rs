@@ -5,6 +5,7 @@ use std::ops::RangeInclusive;
 
 use freestand::impact::ValidityWarning;
 use freestand_input::quantity::{Dimension, format_si};
+use strum::EnumCount;
 
 /// A size that hardly any object has.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +19,7 @@ pub struct UnlikelySize {
 }
 
 /// Something that may make a history wrong.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum HistoryDoubt {
     /// A size that hardly any object has.
     Size(UnlikelySize),
@@ -108,7 +109,7 @@ pub struct NarrowBase {
 }
 
 /// What a reader must know of a history that is right.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum HistoryNote {
     /// It leans on a wall at the end.
     Leans,
@@ -131,7 +132,7 @@ pub enum HistoryNote {
 }
 
 /// Something that may make rows of spectra wrong.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum SpectrumDoubt {
     /// Objects that cannot rock through an impact.
     Squat(SquatObjects),
