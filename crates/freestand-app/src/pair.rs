@@ -107,14 +107,29 @@ impl PairKeys {
     }
 }
 
+/// A pair that is turned: its files, or what they have.
+#[derive(Debug)]
+pub struct Turning<P> {
+    /// The pair.
+    pub pair: P,
+    /// The direction.
+    pub request: RotateRequest,
+    /// The format of the file that is written.
+    pub format: Format,
+}
+
 impl Question for Rotate {
-    type Meant = Meant<(ReadPair, RotateRequest, Format)>;
+    type Meant = Meant<Turning<ReadPair>>;
 
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
-        let (pair, request, format) = self.judged(files)?;
+        let Meant { asked, inputs } = self.judged(files)?;
         Ok(Meant {
-            asked: (read_pair(&pair.asked)?, request, format),
-            inputs: pair.inputs,
+            asked: Turning {
+                pair: read_pair(&asked.pair)?,
+                request: asked.request,
+                format: asked.format,
+            },
+            inputs,
         })
     }
 
@@ -124,7 +139,7 @@ impl Question for Rotate {
 }
 
 impl Rotate {
-    fn judged(&self, files: &Files) -> Result<(Meant<PairFiles>, RotateRequest, Format), Problems> {
+    fn judged(&self, files: &Files) -> Result<Meant<Turning<PairFiles>>, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let pair = self.pair.files(&mut read, files);
@@ -139,12 +154,20 @@ impl Rotate {
         let hint = "write \"0 deg, 90 deg\", clockwise from north";
         let azimuths = read.two("azimuths", Dimension::Angle, hint);
         let format = read.choice("format", FORMATS).unwrap_or(Format::Csv);
-        let asked = to.map(|to| RotateRequest {
+        let request = to.map(|to| RotateRequest {
             azimuth_deg: azimuth_deg(to),
             azimuths_deg: azimuths.map(|(one, two)| (azimuth_deg(one), azimuth_deg(two))),
         });
-        read.problems
-            .finish(asked.map(|asked| (pair, asked, format)))
+        let request = read.problems.finish(request)?;
+        let Meant { asked, inputs } = pair;
+        Ok(Meant {
+            asked: Turning {
+                pair: asked,
+                request,
+                format,
+            },
+            inputs,
+        })
     }
 }
 

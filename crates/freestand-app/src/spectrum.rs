@@ -174,7 +174,11 @@ impl Question for Spectrum {
     type Meant = Meant;
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
-        let (objects, shaking, named) = judged(self, files)?;
+        let Judged {
+            objects,
+            shaking,
+            named,
+        } = judged(self, files)?;
         let (shaking, mut inputs) = match shaking {
             Some(shaking) => (shaking, Vec::new()),
             None => {
@@ -201,11 +205,16 @@ impl Question for Spectrum {
     }
 }
 
-/// What a request means, with records that have not been read; they shake the objects where nothing else does.
-fn judged<'f>(
-    request: &Spectrum,
-    files: &'f Files,
-) -> Result<(SpectrumRequest, Option<Shaking>, NamedRecords<'f>), Problems> {
+/// What a request means, with records that have not been read.
+struct Judged<'f> {
+    objects: SpectrumRequest,
+    shaking: Option<Shaking>,
+    /// What shakes the objects where nothing else does.
+    named: NamedRecords<'f>,
+}
+
+/// What a request means.
+fn judged<'f>(request: &Spectrum, files: &'f Files) -> Result<Judged<'f>, Problems> {
     let words = request.words();
     let mut read = reader::<Spectrum>(&words, &request.unknown);
     let vertical = (request.vertical.as_slice(), &request.upward);
@@ -230,8 +239,11 @@ fn judged<'f>(
         };
         read.note(&[key], format!("`{key}` applies only to {home}"), hint);
     }
-    let objects = read.problems.finish(objects)?;
-    Ok((objects, shaking, named))
+    Ok(Judged {
+        objects: read.problems.finish(objects)?,
+        shaking,
+        named,
+    })
 }
 
 /// The synthetic motions of a place; `None`: records, or something is wrong.
