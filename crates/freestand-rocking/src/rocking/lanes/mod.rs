@@ -37,6 +37,7 @@ use super::{
 use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
 use degree::DEGREES;
+use ranks::SIDES;
 use rocker::{EdgeTerms, Rocker};
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
@@ -340,6 +341,13 @@ fn plan(
     }
     let walls = WallRecord {
         restitution: restitutions,
+        press: [0, 1].map(|side| {
+            contacts[side].map_or([0.0; 2], |contact| {
+                let EdgeTerms { alpha, x2, .. } = edges[side];
+                let (sin, cos) = (alpha - contact.angle_rad).sin_cos();
+                [-x2 * sin, -x2 * SIDES[side] * cos]
+            })
+        }),
         ..WallRecord::default()
     };
     Some((plan, Rocker { edges, restitution }, walls))
