@@ -6,9 +6,10 @@
 //! the sine and the cosine (`series`, `vector`); `degree` contains the code that is compiled for each
 //! degree of the series and each vector unit, and all other code is compiled once. Bounds on the
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
-//! copied to a batch (`batch`), where landings and maxima are roots of the series. From there a
-//! block comes to rest, makes short flights and its last impacts (`chatter`), or returns to its
-//! lane (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
+//! copied to a batch (`batch`), where landings and maxima are roots of the series, and where a block
+//! goes on from an impact to the end of the step if nothing else happens in it. Otherwise it comes to
+//! rest, makes short flights and its last impacts (`chatter`), or is taken to its next event
+//! (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
 //! found from maxima over spans of the motion (`shaking`, `tile/waiting`). After the motion the
 //! rest of the response follows from the conservation of energy (`quiet`).
 //!
