@@ -22,7 +22,9 @@ use freestand::motion::Motion;
 use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock};
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, matched_periods_s, stream, synthesize};
-use freestand::worlds::{Component, GroundSpread, SpreadOptions, WorldSpectra, world_motion};
+use freestand::worlds::{
+    Component, GroundSpread, SpreadOptions, WorldDraw, WorldSpectra, world_motion,
+};
 use rayon::prelude::*;
 
 const PERIODS: usize = 40;
@@ -195,7 +197,11 @@ fn main() {
             let pair = [Component::X, Component::Y];
             let before = |c| row(&periods_s, || thirty_passes(target, &spectra, c, world));
             let now = |c| {
-                let draw = (SEED, world, 0);
+                let draw = WorldDraw {
+                    seed: SEED,
+                    world,
+                    repetition: 0,
+                };
                 let make = || world_motion(target, &spectra, c, draw, &matcher).unwrap();
                 row(&periods_s, make)
             };

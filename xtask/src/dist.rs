@@ -9,7 +9,7 @@ use std::process::Command;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use crate::python::PUBLISHED_PROGRAM;
+use crate::python::published_program;
 use crate::tools::{ended, run, told};
 
 /// Where the program itself is, in the workspace.
@@ -42,7 +42,7 @@ pub fn dist(root: &Path, out: &Path) -> Result<(), String> {
     let metadata = metadata(root)?;
     let version = text(&metadata["version"]);
     let host = host(root)?;
-    run(root, "cargo", &PUBLISHED_PROGRAM)?;
+    run(root, "cargo", &published_program())?;
     let target = PathBuf::from(text(&metadata["target"])).join("published");
     let program = target.join(format!("freestand{}", std::env::consts::EXE_SUFFIX));
     fs::create_dir_all(out).map_err(told(out))?;

@@ -28,23 +28,30 @@ const TEST: [&str; 8] = [
 /// A level of compression: ten attempts of Zopfli.
 const ZOPFLI: i64 = 19;
 
-/// The level of the last piece that is compiled, which is the level of the passes over the whole.
-const LAST_PIECE: [&str; 3] = ["--", "-C", "opt-level=3"];
+/// The level of the last piece that is compiled, which is the level of the passes over the whole. Rust's own linker, the
+/// default on this target alone, keeps one of several equal functions.
+const LAST_PIECE: &[&str] = if cfg!(all(
+    target_os = "linux",
+    target_arch = "x86_64",
+    target_env = "gnu"
+)) {
+    &["--", "-C", "opt-level=3", "-C", "link-arg=-Wl,--icf=all"]
+} else {
+    &["--", "-C", "opt-level=3"]
+};
 
 /// What Cargo is told to build the program that is published.
-pub const PUBLISHED_PROGRAM: [&str; 11] = [
-    "rustc",
-    "--locked",
-    "--package",
-    "freestand-cli",
-    "--bin",
-    "freestand",
-    "--profile",
-    "published",
-    LAST_PIECE[0],
-    LAST_PIECE[1],
-    LAST_PIECE[2],
-];
+pub fn published_program() -> Vec<&'static str> {
+    let package = [
+        "rustc",
+        "--locked",
+        "--package",
+        "freestand-cli",
+        "--bin",
+        "freestand",
+    ];
+    [&package[..], &["--profile", "published"], LAST_PIECE].concat()
+}
 
 /// What makes pages of its docstrings.
 const PAGES: [&str; 1] = ["pdoc>=16,<17"];
@@ -91,7 +98,7 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
             "debug"
         }
         Profile::Published => {
-            run(root, "cargo", &PUBLISHED_PROGRAM)?;
+            run(root, "cargo", &published_program())?;
             "published"
         }
     };
@@ -127,9 +134,12 @@ pub fn wheel(root: &Path, out: &Path, profile: Profile) -> Result<PathBuf, Troub
         .for_each(|file| _ = empty(file.path()));
     let (name, last): (_, &[&str]) = match profile {
         Profile::Dev => ("dev", &[]),
-        Profile::Published => ("published", &LAST_PIECE),
+        Profile::Published => ("published", LAST_PIECE),
     };
-    let (manifest, out_text) = (format!("{CRATE}/Cargo.toml"), out.to_string_lossy());
+    let (manifest, out_text) = (
+        format!("{CRATE}/extension/Cargo.toml"),
+        out.to_string_lossy(),
+    );
     let arguments = [
         &["build", "--locked", "--profile", name][..],
         &["--manifest-path", &manifest, "--out", &out_text],

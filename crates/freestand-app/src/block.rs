@@ -9,7 +9,6 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
-use freestand_input::written::Written;
 use freestand_study::restitution::checked;
 use freestand_study::rock::{ACCURACIES, MODELS};
 use freestand_study::shape::Shape;
@@ -18,24 +17,16 @@ use crate::request::{one_of, request};
 
 request! {
     /// What is known of an object besides its height and its thickness.
-    pub struct GeneralBlock {
+    pub struct GeneralBlock under "The general block" {
         /// Distance between the two edges, if the feet are set in [default: the thickness]
-        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-        pub base_width: Option<Written>,
+        pub base_width = "LENGTH",
         /// Height of the centre of gravity [default: half of the height]
-        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-        pub cg_height: Option<Written>,
+        pub cg_height = "LENGTH",
         /// Horizontal offset of the centre of gravity, positive to the right (in `shock`: towards the
         /// landing edge) [default: 0]
-        #[arg(long, value_name = "LENGTH", help_heading = "The general block")]
-        pub cg_offset: Option<Written>,
+        pub cg_offset = "LENGTH",
         /// Moment of inertia about the left edge, such as "120 kg m2"; needs the mass [default: uniform]
-        #[arg(
-            long,
-            value_name = "MOMENT-OF-INERTIA",
-            help_heading = "The general block"
-        )]
-        pub inertia: Option<Written>,
+        pub inertia = "MOMENT-OF-INERTIA",
     }
 }
 
@@ -113,20 +104,16 @@ pub(crate) fn block(
 
 request! {
     /// How the rocking of an object is calculated.
-    pub struct Rocking {
+    pub struct Rocking under "The rocking" {
         /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
         /// [default: Housner's]
-        #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
-        pub restitution: Option<Written>,
+        pub restitution = "RATIO",
         /// Factor that multiplies Housner's restitution
-        #[arg(long, value_name = "RATIO", help_heading = "The rocking")]
-        pub restitution_factor: Option<Written>,
+        pub restitution_factor = "RATIO",
         /// Equation of motion [default: rigid]
-        #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The rocking")]
-        pub model: Option<Written>,
+        pub model = "MODEL" with (value_parser = one_of(MODELS)),
         /// Accuracy of the solver [default: standard]
-        #[arg(long, value_name = "ACCURACY", value_parser = one_of(ACCURACIES), help_heading = "The rocking")]
-        pub accuracy: Option<Written>,
+        pub accuracy = "ACCURACY" with (value_parser = one_of(ACCURACIES)),
     }
 }
 

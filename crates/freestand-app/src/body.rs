@@ -24,57 +24,41 @@ request! {
     /// The shape of an object.
     pub struct BodyShape {
         /// Shape of the object: box, cylinder or polygon:N, which has N corners on a circle
-        #[arg(long, value_name = "box|cylinder|polygon:N", help_heading = "The shape, in three dimensions")]
-        pub shape: Option<Written>,
+        pub shape = "box|cylinder|polygon:N" under "The shape, in three dimensions",
         /// Diameter of a cylinder, or of the circle through the corners of a polygon, in place of --thickness
-        #[arg(long, value_name = "LENGTH", help_heading = "The shape, in three dimensions")]
-        pub diameter: Option<Written>,
+        pub diameter = "LENGTH" under "The shape, in three dimensions",
         /// Points on which the object stands, from the middle of its outline (of a scan: in its axes): "x, y; x,
         /// y; …", such as "-200 mm, -150 mm; 200 mm, -150 mm; 0 mm, 180 mm" [default: its outline]
-        #[arg(
-            long,
-            value_name = "X, Y; X, Y; …",
-            allow_hyphen_values = true,
-            help_heading = "The shape, in three dimensions"
-        )]
-        pub feet: Option<Written>,
+        pub feet = "X, Y; X, Y; …" with (allow_hyphen_values = true) under "The shape, in three dimensions",
         /// Scan of the object, z upward: OBJ, STL, PLY, or binary glTF
-        #[arg(long, value_name = "FILE", help_heading = "A scan")]
-        pub scan: Option<Written>,
+        pub scan = "FILE" under "A scan",
         /// Unit of length of the scan (the glTF standard prescribes metres; exporters do not always follow it)
-        #[arg(long, value_name = "UNIT", value_parser = one_of(SCAN_UNITS), help_heading = "A scan")]
-        pub scan_unit: Option<Written>,
+        pub scan_unit = "UNIT" with (value_parser = one_of(SCAN_UNITS)) under "A scan",
         /// The underside of the scan [default: flat]
-        #[arg(long, value_name = "BASE", value_parser = one_of(SCAN_BASES), help_heading = "A scan")]
-        pub scan_base: Option<Written>,
+        pub scan_base = "BASE" with (value_parser = one_of(SCAN_BASES)) under "A scan",
         /// How far the surface of the scan may be from the true one; with a flat base, everything within this
         /// distance of the lowest point is taken to touch the floor [default: 2 mm]
-        #[arg(long, value_name = "LENGTH", help_heading = "A scan")]
-        pub scan_error: Option<Written>,
+        pub scan_error = "LENGTH" under "A scan",
         /// Use the convex hull in place of a scan with holes or of several parts
         #[arg(long, action = clap::ArgAction::SetTrue, help_heading = "A scan")]
         pub scan_hull: Switch,
         /// Stable pose in which the scanned object stands, by its number in `stable_poses`; others than 1, the most upright
         /// one, need --scan-base measured [default: 1]
-        #[arg(long, value_name = "N", help_heading = "A scan")]
-        pub stand_on: Option<Written>,
+        pub stand_on = "N" under "A scan",
     }
 }
 
 request! {
     /// How a body touches the floor.
-    pub struct Contacts {
+    pub struct Contacts under "The shape, in three dimensions" {
         /// Damping of the contacts of a shape or a scan with the floor, as a ratio [default: 20 %]
-        #[arg(long, value_name = "RATIO", help_heading = "The shape, in three dimensions")]
-        pub contact_damping: Option<Written>,
+        pub contact_damping = "RATIO",
         /// How far three points of a shape or a scan sink into the floor under its weight [default: 0.1 mm for a scan, 0.01 mm
         /// for a shape; less where the centre of gravity is lower than 250 mm]
-        #[arg(long, value_name = "LENGTH", help_heading = "The shape, in three dimensions")]
-        pub contact_sinking: Option<Written>,
+        pub contact_sinking = "LENGTH",
         /// Coefficient of rolling friction of a cylinder that rolls on its rim: the lever arm of the force of the floor over
         /// the radius [default: 0]
-        #[arg(long, value_name = "RATIO", help_heading = "The shape, in three dimensions")]
-        pub rolling_friction: Option<Written>,
+        pub rolling_friction = "RATIO",
     }
 }
 

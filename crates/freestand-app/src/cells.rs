@@ -15,11 +15,9 @@ request! {
     /// How the cells of a list are read.
     pub struct CellKeys {
         /// Sheet of the workbook [default: the first with headings of an inventory]
-        #[arg(long, value_name = "NAME")]
-        pub sheet: Option<Written>,
+        pub sheet = "NAME",
         /// Mapping file (TOML) that says what columns, floors and numbers of the list mean
-        #[arg(long, value_name = "FILE.toml")]
-        pub columns: Option<Written>,
+        pub columns = "FILE.toml",
         /// Read a cell as if it contained TEXT; may be given several times. The file is not changed. An edit
         /// of a size, also with the text that the cell has, confirms that size
         #[arg(long, alias = "edits", value_name = "CELL=TEXT", action = ArgAction::Append)]
@@ -49,11 +47,9 @@ request! {
     /// The user's own libraries.
     pub struct Libraries {
         /// Your own tolerance library (CSV); its entries replace built-in entries with the same id
-        #[arg(long, value_name = "FILE.csv")]
-        pub library: Option<Written>,
+        pub library = "FILE.csv",
         /// Your own cushion library (CSV); its entries replace built-in entries with the same id
-        #[arg(long, value_name = "FILE.csv")]
-        pub cushion_library: Option<Written>,
+        pub cushion_library = "FILE.csv",
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand_assess::list::floors_of;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
@@ -20,7 +19,7 @@ use serde::Serialize;
 
 use crate::cells::{CellKeys, Libraries as LibraryKeys};
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
+use crate::request::{Question, Request as _, one_of, path_without_flag, reader, request};
 use crate::study;
 
 /// The schema of the response.
@@ -36,24 +35,18 @@ request! { question
         #[command(flatten)]
         pub how: CellKeys,
         /// Study file (TOML) whose building has the floors
-        #[arg(long, value_name = "FILE.toml")]
-        pub study: Option<Written>,
+        pub study = "FILE.toml",
         /// Number of storeys of the building, to place floors by their numbers
-        #[arg(long, value_name = "N")]
-        pub storeys: Option<Written>,
+        pub storeys = "N",
         /// Units of the text; the JSON document is in SI [default: those of most columns]
-        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-        pub units: Option<Written>,
+        pub units = "UNITS" with (value_parser = one_of(&UnitSystem::ALL)),
         /// Count every doubt as an error
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub strict: Switch,
+        pub strict = switch,
         /// Show only the headings, with examples of their cells and what each was taken for; also for a list of
         /// which too few headings are known
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub headings: Switch,
+        pub headings = switch,
         /// Also list the text of every cell (with --json)
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub cells: Switch,
+        pub cells = switch,
         /// The user's own libraries.
         #[command(flatten)]
         pub libraries: LibraryKeys,

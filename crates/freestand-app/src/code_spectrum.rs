@@ -2,15 +2,13 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum as Spectrum};
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
-use freestand_input::written::Written;
 use freestand_study::target::{CodeSpectrumReport, Target, code_spectrum};
 
 use crate::files::Files;
-use crate::request::{Question, Request, Switch, reader, request};
+use crate::request::{Question, Request, reader, request};
 use crate::target::TargetKeys;
 
 /// The schema of the response.
@@ -23,17 +21,13 @@ request! { question
         #[command(flatten)]
         pub target: TargetKeys,
         /// Periods: from:to:count or a list [default: 0 s, 121 from 0.05 s to 5 s, corners of the code]
-        #[arg(long, value_name = "GRID")]
-        pub periods: Option<Written>,
+        pub periods = "GRID",
         /// Add the acceleration that the code prescribes for a rigid part on each floor
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Parts and components")]
-        pub parts: Switch,
+        pub parts = switch under "Parts and components",
         /// Height of the building; needed by AS 1170.4 and NZS 1170.5
-        #[arg(long, value_name = "LENGTH", help_heading = "Parts and components")]
-        pub building_height: Option<Written>,
+        pub building_height = "LENGTH" under "Parts and components",
         /// Fundamental period of the building, used by ASCE 7-22 [default: unknown]
-        #[arg(long, value_name = "TIME", help_heading = "Parts and components")]
-        pub building_period: Option<Written>,
+        pub building_period = "TIME" under "Parts and components",
     }
 }
 

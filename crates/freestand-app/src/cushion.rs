@@ -14,40 +14,30 @@ use crate::request::{Request, request};
 
 request! {
     /// The cushion under one edge of an object.
-    pub struct CushionUnder {
+    pub struct CushionUnder under "The cushion" {
         /// Stiffness of the whole cushion under one edge; for a power law, such as "2e7 N/m^1.5"
-        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-        pub stiffness: Option<Written>,
+        pub stiffness = "STIFFNESS",
         /// Stiffness (and law) of one pad; needs --pads-per-edge
-        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-        pub pad_stiffness: Option<Written>,
+        pub pad_stiffness = "STIFFNESS",
         /// One pad, from a file written by freestand cushion drop; needs --pads-per-edge
-        #[arg(long, value_name = "FILE.toml", help_heading = "The cushion")]
-        pub cushion: Option<Written>,
+        pub cushion = "FILE.toml",
         /// Number of pads under one edge
-        #[arg(long, value_name = "N", help_heading = "The cushion")]
-        pub pads_per_edge: Option<Written>,
+        pub pads_per_edge = "N",
         /// A layer in series with the cushion: legs, floor covering (repeatable)
         #[arg(long, value_name = "STIFFNESS", action = ArgAction::Append, help_heading = "The cushion")]
         pub series_stiffness: Vec<Written>,
         /// Thickness of the pad, used in warnings only [default: 20 mm]
-        #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
-        pub pad_thickness: Option<Written>,
+        pub pad_thickness = "LENGTH",
         /// Contact law: linear, power (hertz), kelvin-voigt, hunt-crossley, tangent [default: linear]
-        #[arg(long, value_name = "LAW", help_heading = "The cushion")]
-        pub law: Option<Written>,
+        pub law = "LAW",
         /// Exponent of a power or hunt-crossley law [default: 1.5]
-        #[arg(long, value_name = "N", help_heading = "The cushion")]
-        pub exponent: Option<Written>,
+        pub exponent = "N",
         /// Damping of kelvin-voigt: a damping ratio for this mass on the cushion, or a value such as "300 N s/m"
-        #[arg(long, value_name = "DAMPING", help_heading = "The cushion")]
-        pub damping: Option<Written>,
+        pub damping = "DAMPING",
         /// Dissipation of hunt-crossley, such as "0.3 s/m"
-        #[arg(long, value_name = "DISSIPATION", help_heading = "The cushion")]
-        pub dissipation: Option<Written>,
+        pub dissipation = "DISSIPATION",
         /// Compression at which a tangent law bottoms
-        #[arg(long, value_name = "LENGTH", help_heading = "The cushion")]
-        pub bottoming: Option<Written>,
+        pub bottoming = "LENGTH",
     }
 }
 

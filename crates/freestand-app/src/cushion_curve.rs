@@ -22,23 +22,17 @@ request! { question
         #[arg(value_name = "FILE")]
         pub file: Option<Written>,
         /// Drop height of the design, and of tests in a file without that column
-        #[arg(long, value_name = "LENGTH")]
-        pub drop_height: Option<Written>,
+        pub drop_height = "LENGTH",
         /// Thickness of the design, and of tests in a file without that column
-        #[arg(long, value_name = "LENGTH")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH",
         /// Static stress of the design
-        #[arg(long, value_name = "PRESSURE")]
-        pub static_stress: Option<Written>,
+        pub static_stress = "PRESSURE",
         /// Mass on the cushion; needs --area
-        #[arg(long, value_name = "MASS")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// Area of the cushion; needs --mass
-        #[arg(long, value_name = "AREA")]
-        pub area: Option<Written>,
+        pub area = "AREA",
         /// Peak acceleration that must not be exceeded
-        #[arg(long, value_name = "ACCELERATION")]
-        pub limit: Option<Written>,
+        pub limit = "ACCELERATION",
     }
 }
 

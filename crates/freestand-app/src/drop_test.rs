@@ -1,6 +1,5 @@
 //! `cushion drop`: drop tests of a pad.
 
-use clap::ArgAction;
 use freestand::G0_M_S2;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -13,9 +12,7 @@ use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::files::Files;
-use crate::request::{
-    Question, Request, Switch, one_of, one_of_names, paths, reader, request, seed,
-};
+use crate::request::{Question, Request, one_of, one_of_names, paths, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-drop/1";
@@ -27,56 +24,39 @@ request! { question
         #[arg(value_name = "FILE")]
         pub files: Vec<Written>,
         /// Mass of the impactor
-        #[arg(long, value_name = "MASS")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// Drop height
-        #[arg(long, value_name = "LENGTH")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Velocity at the first touch [default: from the drop height, or from the pulse itself]
-        #[arg(long, value_name = "VELOCITY")]
-        pub impact_velocity: Option<Written>,
+        pub impact_velocity = "VELOCITY",
         /// Standard deviation of the impact velocity, as a share of it [default: 1 %]
-        #[arg(long, value_name = "RATIO")]
-        pub velocity_error: Option<Written>,
+        pub velocity_error = "RATIO",
         /// Gravity during the contact; 0 m/s2 if the zero line is not that of free fall [default: 1 g]
-        #[arg(long, value_name = "ACCELERATION")]
-        pub gravity: Option<Written>,
+        pub gravity = "ACCELERATION",
         /// Corner frequency of the low-pass filter before the A/D converter, after which the laws are fitted
-        #[arg(long, value_name = "FREQUENCY")]
-        pub corner: Option<Written>,
+        pub corner = "FREQUENCY",
         /// Fit only this law [default: the simplest one that no other clearly improves on]
-        #[arg(long, value_name = "LAW", value_parser = one_of(LAWS))]
-        pub law: Option<Written>,
+        pub law = "LAW" with (value_parser = one_of(LAWS)),
         /// Thickness of the pad, used in warnings only
-        #[arg(long, value_name = "LENGTH")]
-        pub pad_thickness: Option<Written>,
+        pub pad_thickness = "LENGTH",
         /// Shape of the impactor; replaces what the files state
-        #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
-        pub impactor: Option<Written>,
+        pub impactor = "SHAPE" with (value_parser = one_of_names(&IMPACTORS)),
         /// Radius of a spherical impactor
-        #[arg(long, value_name = "LENGTH")]
-        pub sphere_radius: Option<Written>,
+        pub sphere_radius = "LENGTH",
         /// Boundary of the pad; replaces what the files state
-        #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
-        pub boundary: Option<Written>,
+        pub boundary = "BOUNDARY" with (value_parser = one_of_names(&BOUNDARIES)),
         /// Change the sign of all samples, for a sensor that is mounted upside down
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub invert: Switch,
+        pub invert = switch,
         /// Unit of acceleration of a file that does not state it
-        #[arg(long, value_name = "UNIT")]
-        pub unit: Option<Written>,
+        pub unit = "UNIT",
         /// Sensitivity of the accelerometer of a column in volts, such as "10 mV/g"
-        #[arg(long, value_name = "SENSITIVITY")]
-        pub sensitivity: Option<Written>,
+        pub sensitivity = "SENSITIVITY",
         /// Time step of a file without a column of times
-        #[arg(long, value_name = "TIME")]
-        pub dt: Option<Written>,
+        pub dt = "TIME",
         /// Step to which unevenly spaced samples are interpolated on straight lines [default: they are refused]
-        #[arg(long, value_name = "TIME")]
-        pub resample: Option<Written>,
+        pub resample = "TIME",
         /// Column of accelerations, by name or by number (from 1)
-        #[arg(long, value_name = "NAME")]
-        pub component: Option<Written>,
+        pub component = "NAME",
 
         /// Seed of the random numbers of the intervals.
         #[arg(skip)]

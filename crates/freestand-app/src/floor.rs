@@ -2,7 +2,6 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::ArgAction;
 use freestand::synthesis::DAMPING_RATIO;
 use freestand_input::keys::Words;
 use freestand_input::problem::Problems;
@@ -16,7 +15,7 @@ use freestand_study::target::{Target, usual_periods_s};
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, reader, request};
+use crate::request::{Question, Request, reader, request};
 use crate::second::{SecondKeys, beside};
 use crate::target::TargetKeys;
 
@@ -38,33 +37,26 @@ request! { question
         #[command(flatten)]
         pub building: BuildingKeys,
         /// Levels as shares of the height (0 is the ground, 1 the roof), or "all" for every floor [default: 0.5, 1]
-        #[arg(long, value_name = "GRID|all")]
-        pub levels: Option<Written>,
+        pub levels = "GRID|all",
         /// Duration of the zeros appended to the record, during which the building comes to rest
         /// [default: 0 s]
-        #[arg(long, value_name = "TIME")]
-        pub tail: Option<Written>,
+        pub tail = "TIME",
         /// Find peaks of the floors at N points in each sample interval; the ground stays linear
         /// between its samples [default: 1]
-        #[arg(long, value_name = "N")]
-        pub upsample: Option<Written>,
+        pub upsample = "N",
         /// Also give response spectra of the levels
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub spectra: Switch,
+        pub spectra = switch,
         /// Damping ratios of the spectra [default: 5 %]
-        #[arg(long, value_name = "LIST")]
-        pub spectrum_damping: Option<Written>,
+        pub spectrum_damping = "LIST",
         /// Periods of the spectra: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-        #[arg(long, value_name = "GRID")]
-        pub periods: Option<Written>,
+        pub periods = "GRID",
         /// Files with the vertical component, one for each --motion, or "record": the vertical component
         /// of each file of --motion; processed and scaled as the horizontal one
         #[arg(long, value_name = "FILE", num_args = 1..)]
         pub vertical: Vec<Written>,
         /// Vertical acceleration of the floors above the ground, divided by that of the ground: 1 at
         /// columns, more in the middle of a slab [default: 1]
-        #[arg(long, value_name = "RATIO")]
-        pub vertical_amplification: Option<Written>,
+        pub vertical_amplification = "RATIO",
         /// The second components of the records.
         #[command(flatten)]
         pub second: SecondKeys,
@@ -79,57 +71,41 @@ request! { question
 
 request! {
     /// A building: its height and its period, or a table of storeys or of modes.
-    pub struct BuildingKeys {
+    pub struct BuildingKeys under "Building" {
         /// Number of storeys [default: 30]
-        #[arg(long, value_name = "N", help_heading = "Building")]
-        pub storeys: Option<Written>,
+        pub storeys = "N",
         /// Height of a storey [default: 3.2 m]
-        #[arg(long, value_name = "LENGTH", help_heading = "Building")]
-        pub storey_height: Option<Written>,
+        pub storey_height = "LENGTH",
         /// Height of the building, in place of --storey-height
-        #[arg(long, value_name = "LENGTH", help_heading = "Building")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Fundamental period [default: from the height, by the code]
-        #[arg(long, value_name = "TIME", help_heading = "Building")]
-        pub period: Option<Written>,
+        pub period = "TIME",
         /// Structure, for the period by the code: steel-moment, concrete-moment, steel-braced, other [default:
         /// other]
-        #[arg(long, value_name = "FRAME", help_heading = "Building")]
-        pub frame: Option<Written>,
+        pub frame = "FRAME",
         /// Code of the formula for the period: as1170.4, nzs1170.5, asce7, eurocode8 [default: --code]
-        #[arg(long, value_name = "CODE", help_heading = "Building")]
-        pub period_code: Option<Written>,
+        pub period_code = "CODE",
         /// Damping ratio of every mode for which a table states none [default: 5 %]
-        #[arg(long, value_name = "RATIO", help_heading = "Building")]
-        pub damping: Option<Written>,
+        pub damping = "RATIO",
         /// Rayleigh damping, with that ratio at two modes, such as "1, 3"
-        #[arg(long, value_name = "N, N", help_heading = "Building")]
-        pub rayleigh_modes: Option<Written>,
+        pub rayleigh_modes = "N, N",
         /// α₀ = H√(GA/EI): 0 for a flexural wall, 5 for walls with frames, 20 and more for a frame [default: 5]
-        #[arg(long, value_name = "RATIO", help_heading = "Building")]
-        pub shear_flexure: Option<Written>,
+        pub shear_flexure = "RATIO",
         /// Number of modes [default: 10, or the number of storeys]
-        #[arg(long, value_name = "N", help_heading = "Building")]
-        pub modes: Option<Written>,
+        pub modes = "N",
         /// Table of storeys from the ground up: height, mass and stiffness with their units
-        #[arg(long, value_name = "FILE", help_heading = "Building")]
-        pub storey_table: Option<Written>,
+        pub storey_table = "FILE",
         /// Table of modes: period, participation factor, and the shape at each floor in a column headed by its
         /// height
-        #[arg(long, value_name = "FILE", help_heading = "Building")]
-        pub mode_table: Option<Written>,
+        pub mode_table = "FILE",
         /// Fundamental period along the second axis [default: the same as along the first]
-        #[arg(long, value_name = "TIME", help_heading = "Building")]
-        pub across_period: Option<Written>,
+        pub across_period = "TIME",
         /// α₀ along the second axis
-        #[arg(long, value_name = "RATIO", help_heading = "Building")]
-        pub across_shear_flexure: Option<Written>,
+        pub across_shear_flexure = "RATIO",
         /// Table of storeys for the second axis
-        #[arg(long, value_name = "FILE", help_heading = "Building")]
-        pub across_storey_table: Option<Written>,
+        pub across_storey_table = "FILE",
         /// Table of modes for the second axis
-        #[arg(long, value_name = "FILE", help_heading = "Building")]
-        pub across_mode_table: Option<Written>,
+        pub across_mode_table = "FILE",
     }
 }
 
@@ -211,7 +187,7 @@ impl Floor {
         let levels = levels(&mut read);
         let floors = building.map(|building| {
             let tables = building.tables.iter();
-            inputs.extend(tables.map(|(_, table)| table.file.path.clone()));
+            inputs.extend(tables.map(|table| table.file.path.clone()));
             if building.across.is_some() && matches!(how.second, Second::None) {
                 read.note(
                     &["components"],

@@ -5,7 +5,6 @@ use std::path::PathBuf;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, shorten};
 use freestand_input::word_reader::WordReader;
-use freestand_input::written::Written;
 use freestand_records::tables::hazard::Wanted;
 use freestand_risk::coordinates;
 use freestand_risk::fragility::{HAZARD_CODES, HazardCode, HazardSource, Measure};
@@ -19,19 +18,15 @@ request! {
     pub struct HazardCurve {
         /// Hazard curve: "pgv [m/s],annual_rate", or a file of OpenQuake, USGS, EFEHR, AFAD or NTC; --place chooses
         /// its site
-        #[arg(long, value_name = "FILE")]
-        pub hazard: Option<Written>,
+        pub hazard = "FILE",
         /// Power law, such as "k0=1e-4 /yr, k=2.5, reference=1 m/s"
-        #[arg(long, value_name = "LAW")]
-        pub hazard_power: Option<Written>,
+        pub hazard_power = "LAW",
         /// Intensity measure of a hazard that is not from a file, or which curve of a file with several: pga, pgv,
         /// pfv, sa(0.5) and so on [default: that of the fragilities]
-        #[arg(long, value_name = "IM")]
-        pub hazard_im: Option<Written>,
+        pub hazard_im = "IM",
         /// Longitude and latitude in degrees: the site to use of a hazard file with several, or the place
         /// of exported objects
-        #[arg(long, alias = "site-deg", value_name = "LON,LAT")]
-        pub site_coordinates: Option<Written>,
+        pub site_coordinates = "LON,LAT" with (alias = "site-deg"),
     }
 }
 
@@ -39,20 +34,15 @@ request! {
     /// The return periods of a code.
     pub struct HazardOfCode {
         /// Place whose return periods are the hazard, for pga or sa(T); with --hazard the site of that file
-        #[arg(long, value_name = "NAME")]
-        pub place: Option<Written>,
+        pub place = "NAME",
         /// Return periods of a code, for pga or sa(T)
-        #[arg(long, value_name = "CODE", value_parser = one_of(HAZARD_CODES))]
-        pub hazard_code: Option<Written>,
+        pub hazard_code = "CODE" with (value_parser = one_of(HAZARD_CODES)),
         /// Site class of the code
-        #[arg(long, value_name = "CLASS")]
-        pub site: Option<Written>,
+        pub site = "CLASS",
         /// Hazard factor Z of the code
-        #[arg(long, value_name = "RATIO")]
-        pub hazard_factor: Option<Written>,
+        pub hazard_factor = "RATIO",
         /// Distance to the nearest major fault, of NZS 1170.5
-        #[arg(long, value_name = "LENGTH")]
-        pub fault_distance: Option<Written>,
+        pub fault_distance = "LENGTH",
     }
 }
 

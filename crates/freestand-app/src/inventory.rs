@@ -3,7 +3,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand_input::problem::Problems;
 use freestand_input::words::Choices;
 use freestand_input::written::Written;
@@ -12,7 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, one_of, path_without_flag, reader, request};
+use crate::request::{Question, Request as _, one_of, path_without_flag, reader, request};
 
 /// The formats of a list.
 pub const FORMATS: Choices<Target> = &[
@@ -24,11 +23,9 @@ request! { question
     /// A list to fill in.
     pub struct InventoryTemplate {
         /// Write a workbook, with a sheet that explains the columns
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub xlsx: Switch,
+        pub xlsx = switch,
         /// Write CSV
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub csv: Switch,
+        pub csv = switch,
     }
 }
 
@@ -39,11 +36,9 @@ request! { question
         #[arg(value_name = "FILE")]
         pub file: Option<Written>,
         /// Format to write
-        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-        pub to: Option<Written>,
+        pub to = "FORMAT" with (value_parser = one_of(FORMATS)),
         /// Sheet of the workbook [default: the first with headings of an inventory]
-        #[arg(long, value_name = "NAME")]
-        pub sheet: Option<Written>,
+        pub sheet = "NAME",
     }
 }
 

@@ -59,8 +59,7 @@ request! { question
     /// All entries of a library.
     pub struct List<L: Library> {
         /// Your own library: adds to the built-in one and replaces entries with the same id
-        #[arg(long, value_name = "FILE.csv")]
-        pub library: Option<Written>,
+        pub library = "FILE.csv",
 
         /// Which library.
         #[arg(skip)]
@@ -75,8 +74,7 @@ request! { question
         #[arg(value_name = "ID")]
         pub id: Option<Written>,
         /// Your own library: adds to the built-in one and replaces entries with the same id
-        #[arg(long, value_name = "FILE.csv")]
-        pub library: Option<Written>,
+        pub library = "FILE.csv",
 
         /// Which library.
         #[arg(skip)]
@@ -91,8 +89,7 @@ request! { question
         #[arg(value_name = "WORD")]
         pub words: Vec<Written>,
         /// Your own library: adds to the built-in one and replaces entries with the same id
-        #[arg(long, value_name = "FILE.csv")]
-        pub library: Option<Written>,
+        pub library = "FILE.csv",
 
         /// Which library.
         #[arg(skip)]

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
@@ -15,7 +14,7 @@ use freestand_study::study::Study;
 use crate::cells::{CellKeys, Libraries};
 use crate::files::Files;
 use crate::place::{self, FaultKeys, PlaceKeys};
-use crate::request::{Switch, path, request};
+use crate::request::{path, request};
 use crate::study;
 
 request! {
@@ -32,21 +31,17 @@ request! {
         #[command(flatten)]
         pub fault: FaultKeys,
         /// Inventory (CSV or XLSX); replaces the inventory of the study
-        #[arg(long, value_name = "FILE")]
-        pub inventory: Option<Written>,
+        pub inventory = "FILE",
         /// How its cells are read.
         #[command(flatten)]
         pub cells: CellKeys,
         /// Number of storeys: of the building where the study states none, else only to place floors by their
         /// numbers [default: the study's]
-        #[arg(long, value_name = "N")]
-        pub storeys: Option<Written>,
+        pub storeys = "N",
         /// Count every doubt about the list as an error
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub strict: Switch,
+        pub strict = switch,
         /// Also assess objects that are reported as anchored, as if they were free
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub assess_anchored: Switch,
+        pub assess_anchored = switch,
         /// The user's own libraries.
         #[command(flatten)]
         pub libraries: Libraries,

@@ -35,11 +35,9 @@ request! { question
         #[arg(value_name = "FILE")]
         pub motion: Vec<Written>,
         /// Height of a block, to see what the motions mean to it; needs --thickness
-        #[arg(long, value_name = "LENGTH")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Thickness of the block, its horizontal size in the plane of rocking; needs --height
-        #[arg(long, value_name = "LENGTH")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH",
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,
@@ -53,15 +51,12 @@ request! { question
         #[arg(value_name = "FILE")]
         pub motion: Option<Written>,
         /// Damping ratio, or a list of ratios [default: 5 %]
-        #[arg(long, value_name = "LIST")]
-        pub damping: Option<Written>,
+        pub damping = "LIST",
         /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-        #[arg(long, value_name = "GRID")]
-        pub periods: Option<Written>,
+        pub periods = "GRID",
         /// Replace each sample by N on the band-limited curve through the samples, for periods shorter
         /// than ten time steps [default: 1]
-        #[arg(long, value_name = "N")]
-        pub upsample: Option<Written>,
+        pub upsample = "N",
         /// How the record is read.
         #[command(flatten)]
         pub records: Records,
@@ -75,8 +70,7 @@ request! { question
         #[arg(value_name = "FILE")]
         pub motion: Vec<Written>,
         /// Format to write
-        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-        pub to: Option<Written>,
+        pub to = "FORMAT" with (value_parser = one_of(FORMATS)),
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,

@@ -32,23 +32,18 @@ request! { question
     #[command(mut_args(|arg| place::under(arg, "The earthquake (one of four)")))]
     pub struct Object {
         /// Height of the object
-        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-        pub height: Option<Written>,
+        pub height = "LENGTH" under "The object",
         /// Horizontal size in the plane of rocking, usually the smaller one
-        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH" under "The object",
         /// Horizontal size across the thickness [default: it rocks about one axis only]
-        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-        pub width: Option<Written>,
+        pub width = "LENGTH" under "The object",
         /// Height of the centre of gravity [default: half of the height]
-        #[arg(long, value_name = "LENGTH", help_heading = "The object")]
-        pub cg_height: Option<Written>,
+        pub cg_height = "LENGTH" under "The object",
         /// Its shape, in three dimensions. A cylinder beside a wall lower than it is calculated as the square prism around it.
         #[command(flatten)]
         pub shape: BodyShape,
         /// Mass
-        #[arg(long, value_name = "MASS", help_heading = "The object")]
-        pub mass: Option<Written>,
+        pub mass = "MASS" under "The object",
         /// What is under one edge: the stiffness of all pads there, such as "4380 N/mm", or an entry of
         /// the cushion library, such as rubber-foot; needs --mass
         #[arg(
@@ -60,16 +55,13 @@ request! { question
         pub on: Option<Written>,
         /// Peak acceleration that it withstands, such as "10 g", or with the duration of its half-sine,
         /// "15 g 11 ms"; needs --mass and --on
-        #[arg(long, value_name = "ACCELERATION", help_heading = "The object")]
-        pub tolerance: Option<Written>,
+        pub tolerance = "ACCELERATION" under "The object",
         /// Duration of the half-sine with that peak, if --tolerance does not state it
-        #[arg(long, value_name = "TIME", help_heading = "The object")]
-        pub tolerance_duration: Option<Written>,
+        pub tolerance_duration = "TIME" under "The object",
 
         /// Coefficient of friction on the floor, one value or a range; it then slides where rocking needs
         /// more [default: enough for rocking; 0.2 to 0.8 tells whether it may slide, and counts for a stack]
-        #[arg(long, value_name = "RATIO", help_heading = "The object")]
-        pub friction: Option<Written>,
+        pub friction = "RATIO" under "The object",
         /// What is around it.
         #[command(flatten)]
         pub around: Around,
@@ -82,55 +74,34 @@ request! { question
         pub fault: FaultKeys,
         /// Peak acceleration of the ground, such as "0.3 g"; the spectrum is that of Eurocode 8, type 1,
         /// ground B, scaled to it
-        #[arg(
-            long,
-            value_name = "ACCELERATION",
-            help_heading = "The earthquake (one of four)"
-        )]
-        pub pga: Option<Written>,
+        pub pga = "ACCELERATION" under "The earthquake (one of four)",
         /// Study file (TOML) with the ground motions and the building
-        #[arg(
-            long,
-            value_name = "FILE.toml",
-            help_heading = "The earthquake (one of four)"
-        )]
-        pub study: Option<Written>,
+        pub study = "FILE.toml" under "The earthquake (one of four)",
         /// Records of the motion of its floor
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "The earthquake (one of four)")]
         pub motion: Vec<Written>,
         /// Factors on these motions, such as "0.5, 1, 2": a table by scale; the sentence is about the
         /// motions as they are
-        #[arg(
-            long,
-            value_name = "GRID",
-            help_heading = "The earthquake (one of four)"
-        )]
-        pub scales: Option<Written>,
+        pub scales = "GRID" under "The earthquake (one of four)",
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,
 
         /// Floor by its number (1 is the first above the ground) or name (ground, roof); needs
         /// --storeys, or the building of a study [default: the ground]
-        #[arg(long, value_name = "NAME", help_heading = "The floor")]
-        pub floor: Option<Written>,
+        pub floor = "NAME" under "The floor",
         /// Height of the floor over that of the building, 0 to 1, in place of --floor
-        #[arg(long, value_name = "RATIO", help_heading = "The floor")]
-        pub level_ratio: Option<Written>,
+        pub level_ratio = "RATIO" under "The floor",
         /// Number of storeys of the building [default: 30]
-        #[arg(long, value_name = "N", help_heading = "The floor")]
-        pub storeys: Option<Written>,
+        pub storeys = "N" under "The floor",
         /// Height of a storey [default: 3.2 m]
-        #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
-        pub storey_height: Option<Written>,
+        pub storey_height = "LENGTH" under "The floor",
 
         /// Largest number of simulated earthquakes [default: until the answer is settled, at most 1280]
-        #[arg(long, value_name = "N")]
-        pub worlds: Option<Written>,
+        pub worlds = "N",
         /// Units of the texts; the JSON document is in SI [default: those in which most of
         /// --mass, --height and --thickness are typed]
-        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-        pub units: Option<Written>,
+        pub units = "UNITS" with (value_parser = one_of(&UnitSystem::ALL)),
 
         /// Seed of the random numbers.
         #[arg(skip)]
@@ -140,52 +111,30 @@ request! { question
 
 request! {
     /// What a list says in the columns of the same names.
-    pub struct Around {
+    pub struct Around under "What is around it" {
         /// Distance from its back to the wall; 0 where they touch [default: no wall]
-        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-        pub wall_gap: Option<Written>,
+        pub wall_gap = "LENGTH",
         /// Distance to what is on both sides of it, in the direction of the width [default: nothing]
-        #[arg(
-            long,
-            alias = "neighbor-gap",
-            value_name = "LENGTH",
-            help_heading = "What is around it"
-        )]
-        pub neighbour_gap: Option<Written>,
+        pub neighbour_gap = "LENGTH" with (alias = "neighbor-gap"),
         /// Height of the wall and of the neighbours [default: taller than the object]
-        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-        pub wall_height: Option<Written>,
+        pub wall_height = "LENGTH",
         /// Stiffness of the wall where the top of the object strikes it, or of the stop of free casters
-        #[arg(long, value_name = "STIFFNESS", help_heading = "What is around it")]
-        pub wall_stiffness: Option<Written>,
+        pub wall_stiffness = "STIFFNESS",
         /// Angular velocity after an impact at the wall divided by the one before, at least 0 and less
         /// than 1 [default: drawn from 0 to 0.5; under given motions 0.5]
-        #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
-        pub wall_restitution: Option<Written>,
+        pub wall_restitution = "RATIO",
         /// Casters: free ones roll, and only a stop can overturn the object
-        #[arg(
-            long,
-            alias = "castors",
-            value_name = "CASTERS",
-            value_parser = one_of(CASTERS),
-            help_heading = "What is around it"
-        )]
-        pub casters: Option<Written>,
+        pub casters = "CASTERS" with (alias = "castors", value_parser = one_of(CASTERS)),
         /// Rolling resistance of free casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
-        #[arg(long, value_name = "RATIO", help_heading = "What is around it")]
-        pub rolling_resistance: Option<Written>,
+        pub rolling_resistance = "RATIO",
         /// How far it may slide or roll before it strikes something
-        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-        pub clearance: Option<Written>,
+        pub clearance = "LENGTH",
         /// Height of what stands on the object
-        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-        pub upper_height: Option<Written>,
+        pub upper_height = "LENGTH",
         /// Thickness of what stands on the object
-        #[arg(long, value_name = "LENGTH", help_heading = "What is around it")]
-        pub upper_thickness: Option<Written>,
+        pub upper_thickness = "LENGTH",
         /// Mass of what stands on the object
-        #[arg(long, value_name = "MASS", help_heading = "What is around it")]
-        pub upper_mass: Option<Written>,
+        pub upper_mass = "MASS",
     }
 }
 

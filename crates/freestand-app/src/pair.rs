@@ -29,13 +29,12 @@ request! {
         mut_arg("azimuth", |arg| arg.hide(true)),
         mut_arg("component", |arg| arg.help("Component to read from each of two files, by name or by number (from 1)"))
     )]
-    pub struct PairKeys {
+    pub struct PairKeys under "Reading records" {
         /// A record with two horizontal components, or two records with one each
         #[arg(value_name = "FILE")]
         pub motion: Vec<Written>,
         /// The two components to read from one file with several: names or numbers, such as "1, 2"
-        #[arg(long, value_name = "NAME, NAME", help_heading = "Reading records")]
-        pub components: Option<Written>,
+        pub components = "NAME, NAME",
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,
@@ -49,14 +48,11 @@ request! { question
         #[command(flatten)]
         pub pair: PairKeys,
         /// Azimuth of the new component, clockwise from north
-        #[arg(long, value_name = "ANGLE")]
-        pub to: Option<Written>,
+        pub to = "ANGLE",
         /// Azimuths of the two components [default: those stated in the files]
-        #[arg(long, value_name = "ANGLE, ANGLE")]
-        pub azimuths: Option<Written>,
+        pub azimuths = "ANGLE, ANGLE",
         /// Format to write [default: csv]
-        #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS))]
-        pub format: Option<Written>,
+        pub format = "FORMAT" with (value_parser = one_of(FORMATS)),
     }
 }
 
@@ -74,14 +70,11 @@ request! { question
         #[command(flatten)]
         pub pair: PairKeys,
         /// Percentiles over the directions: 50 is the median, 100 the largest [default: 50, 100]
-        #[arg(long, value_name = "LIST")]
-        pub percentiles: Option<Written>,
+        pub percentiles = "LIST",
         /// Damping ratio [default: 5 %]
-        #[arg(long, value_name = "RATIO")]
-        pub damping: Option<Written>,
+        pub damping = "RATIO",
         /// Periods: from:to:count or a list [default: 0 s and 121 from 0.05 s to 5 s]
-        #[arg(long, value_name = "GRID")]
-        pub periods: Option<Written>,
+        pub periods = "GRID",
     }
 }
 
@@ -114,14 +107,29 @@ impl PairKeys {
     }
 }
 
+/// A pair that is turned: its files, or what they have.
+#[derive(Debug)]
+pub struct Turning<P> {
+    /// The pair.
+    pub pair: P,
+    /// The direction.
+    pub request: RotateRequest,
+    /// The format of the file that is written.
+    pub format: Format,
+}
+
 impl Question for Rotate {
-    type Meant = Meant<(ReadPair, RotateRequest, Format)>;
+    type Meant = Meant<Turning<ReadPair>>;
 
     fn resolve(&self, files: &Files) -> Result<Self::Meant, Problems> {
-        let (pair, request, format) = self.judged(files)?;
+        let Meant { asked, inputs } = self.judged(files)?;
         Ok(Meant {
-            asked: (read_pair(&pair.asked)?, request, format),
-            inputs: pair.inputs,
+            asked: Turning {
+                pair: read_pair(&asked.pair)?,
+                request: asked.request,
+                format: asked.format,
+            },
+            inputs,
         })
     }
 
@@ -131,7 +139,7 @@ impl Question for Rotate {
 }
 
 impl Rotate {
-    fn judged(&self, files: &Files) -> Result<(Meant<PairFiles>, RotateRequest, Format), Problems> {
+    fn judged(&self, files: &Files) -> Result<Meant<Turning<PairFiles>>, Problems> {
         let words = self.words();
         let mut read = reader::<Self>(&words, &self.unknown);
         let pair = self.pair.files(&mut read, files);
@@ -146,12 +154,20 @@ impl Rotate {
         let hint = "write \"0 deg, 90 deg\", clockwise from north";
         let azimuths = read.two("azimuths", Dimension::Angle, hint);
         let format = read.choice("format", FORMATS).unwrap_or(Format::Csv);
-        let asked = to.map(|to| RotateRequest {
+        let request = to.map(|to| RotateRequest {
             azimuth_deg: azimuth_deg(to),
             azimuths_deg: azimuths.map(|(one, two)| (azimuth_deg(one), azimuth_deg(two))),
         });
-        read.problems
-            .finish(asked.map(|asked| (pair, asked, format)))
+        let request = read.problems.finish(request)?;
+        let Meant { asked, inputs } = pair;
+        Ok(Meant {
+            asked: Turning {
+                pair: asked,
+                request,
+                format,
+            },
+            inputs,
+        })
     }
 }
 

@@ -14,15 +14,12 @@ request! {
     /// A place with the hazard of its code.
     pub struct PlaceKeys {
         /// Place or coordinates ("41.01, 28.97"), with their code and hazard; see freestand place list
-        #[arg(long, value_name = "NAME")]
-        pub place: Option<Written>,
+        pub place = "NAME",
         /// Spectrum to use instead: a table, or a file of OpenQuake, USGS, EFEHR, AFAD or GEM, in which the
         /// place is the site and the return period chooses the spectrum
-        #[arg(long, value_name = "FILE")]
-        pub spectrum: Option<Written>,
+        pub spectrum = "FILE",
         /// Site class of the code
-        #[arg(long, value_name = "CLASS")]
-        pub site: Option<Written>,
+        pub site = "CLASS",
         /// Return period in years, where the code has several
         #[arg(long = "return-period", value_name = "YEARS")]
         pub return_period_years: Option<Written>,
@@ -34,11 +31,9 @@ request! {
     pub struct FaultKeys {
         /// Closest distance to the fault on which the earthquake happens, up to 50 km: a share of the worlds
         /// then has a velocity pulse [default: that of a place in New Zealand, else no fault]
-        #[arg(long, value_name = "LENGTH")]
-        pub fault_distance: Option<Written>,
+        pub fault_distance = "LENGTH",
         /// Magnitude of that earthquake, for its pulses [default: drawn from 6.5 to 7]
-        #[arg(long, value_name = "M")]
-        pub fault_magnitude: Option<Written>,
+        pub fault_magnitude = "M",
     }
 }
 

@@ -28,11 +28,9 @@ request! { question
         #[arg(value_name = "WORD")]
         pub word: Option<Written>,
         /// Only the places of a country, such as Türkiye
-        #[arg(long, value_name = "NAME")]
-        pub country: Option<Written>,
+        pub country = "NAME",
         /// The 20 places nearest to these coordinates, such as "41.01, 28.97"; places without coordinates are left out
-        #[arg(long, value_name = "COORDINATES")]
-        pub near: Option<Written>,
+        pub near = "COORDINATES",
     }
 }
 

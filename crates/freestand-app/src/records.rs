@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand::motion::Motion;
 use freestand_input::file::as_named;
 use freestand_input::keys::Words;
@@ -15,29 +14,23 @@ use freestand_records::processing::{Processing, parse_target_source};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward, read_all};
 
 use crate::files::{Content, Files, not_sent};
-use crate::request::{Request, Switch, request};
+use crate::request::{Request, request};
 
 request! {
     /// How records are read and processed; the processing is in the order of its options.
-    pub struct Records {
+    pub struct Records under "Reading records" {
         /// Unit of acceleration, such as g, m/s2 or gal, of a file that does not state it
-        #[arg(long, value_name = "UNIT", help_heading = "Reading records")]
-        pub unit: Option<Written>,
+        pub unit = "UNIT",
         /// Time step of a file without a column of times
-        #[arg(long, value_name = "TIME", help_heading = "Reading records")]
-        pub dt: Option<Written>,
+        pub dt = "TIME",
         /// Component to read from a file with several, by name or by number (from 1)
-        #[arg(long, value_name = "NAME|NUMBER", help_heading = "Reading records")]
-        pub component: Option<Written>,
+        pub component = "NAME|NUMBER",
         /// StationXML file with the sensitivity of a miniSEED file [default: the one in the same folder]
-        #[arg(long, value_name = "FILE", help_heading = "Reading records")]
-        pub station_xml: Option<Written>,
+        pub station_xml = "FILE",
         /// Do not remove the mean of raw records (counts, miniSEED, SAC)
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Reading records")]
-        pub keep_mean: Switch,
+        pub keep_mean = switch,
         /// Factor that multiplies the samples [default: 1]
-        #[arg(long, value_name = "RATIO", help_heading = "Reading records")]
-        pub scale: Option<Written>,
+        pub scale = "RATIO",
         /// Rotate the two horizontal components of a file to this azimuth, clockwise from north
         #[arg(
             long,
@@ -141,11 +134,9 @@ request! {
     /// How vertical records are read.
     pub struct VerticalRecords {
         /// Factor that multiplies the vertical samples [default: 1]
-        #[arg(long, value_name = "RATIO")]
-        pub vertical_scale: Option<Written>,
+        pub vertical_scale = "RATIO",
         /// Component to read from the vertical record, if it has several
-        #[arg(long, value_name = "NAME|NUMBER")]
-        pub vertical_component: Option<Written>,
+        pub vertical_component = "NAME|NUMBER",
     }
 }
 

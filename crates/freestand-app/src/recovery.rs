@@ -20,20 +20,15 @@ request! { question
     /// What is varied.
     pub struct Recovery {
         /// Number of drops for each combination [default: 100]
-        #[arg(long, value_name = "N")]
-        pub drops: Option<Written>,
+        pub drops = "N",
         /// Samples per contact [default: 25, 50, 200]
-        #[arg(long, value_name = "LIST")]
-        pub samples_per_contact: Option<Written>,
+        pub samples_per_contact = "LIST",
         /// Noise as a share of the peak [default: 0.5 %, 2 %]
-        #[arg(long, value_name = "LIST")]
-        pub noise: Option<Written>,
+        pub noise = "LIST",
         /// Bias of the whole record [default: 5 g]
-        #[arg(long, value_name = "LIST")]
-        pub bias: Option<Written>,
+        pub bias = "LIST",
         /// Shift of the zero line at the peak, as a share of the peak [default: 0]
-        #[arg(long, value_name = "LIST")]
-        pub zero_shift: Option<Written>,
+        pub zero_shift = "LIST",
 
         /// Seed of the random numbers.
         #[arg(skip)]

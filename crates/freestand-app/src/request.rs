@@ -64,13 +64,17 @@ pub trait Question: Request {
 
 /// Defines a request or a part of one: every field is a value that was written, or a part. As `question`, it has
 /// an answer of its own, and knows which keys it does not know.
+///
+/// `pub width = "LENGTH",` is a flag with a value, which the help calls LENGTH; `pub no_slip = switch,` one without.
+/// `with (value_parser = one_of(LAWS))` adds to its attributes.
+/// `under "Building"` is the heading of their help: of one, or of all such fields where it follows the name of the struct.
 macro_rules! request {
-    (question $(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? {
+    (question $(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? $(under $heading:literal)? {
         $($fields:tt)*
     }) => {
         $crate::request::request! {
             $(#[$meta])*
-            pub struct $name $(<$of: $kind>)? {
+            pub struct $name $(<$of: $kind>)? $(under $heading)? {
                 $($fields)*
                 /// Keys that are not known.
                 #[arg(skip)]
@@ -78,9 +82,41 @@ macro_rules! request {
             }
         }
     };
-    ($(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? {
-        $($(#[$of_field:meta])* pub $field:ident: $type:ty,)*
+    ($(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? $(under $heading:literal)? {
+        $($fields:tt)*
     }) => {
+        $crate::request::request! {
+            @next { $(#[$meta])* pub struct $name $(<$of: $kind>)? } ($($heading)?) [] $($fields)*
+        }
+    };
+    (@next $head:tt $under:tt [$($done:tt)*] $(#[$of_field:meta])* pub $field:ident: $type:ty, $($rest:tt)*) => {
+        $crate::request::request! { @next $head $under [$($done)* $(#[$of_field])* pub $field: $type,] $($rest)* }
+    };
+    (@next $head:tt ($heading:literal) $done:tt
+        $(#[$of_field:meta])* pub $field:ident = $value:tt $(with $more:tt)?, $($rest:tt)*
+    ) => {
+        $crate::request::request! {
+            @next $head ($heading) $done $(#[$of_field])* pub $field = $value $(with $more)? under $heading, $($rest)*
+        }
+    };
+    (@next $head:tt $under:tt [$($done:tt)*]
+        $(#[$of_field:meta])* pub $field:ident = switch $(under $heading:literal)?, $($rest:tt)*
+    ) => {
+        $crate::request::request! { @next $head $under [$($done)* $(#[$of_field])*
+            #[arg(long, action = clap::ArgAction::SetTrue $(, help_heading = $heading)?)]
+            pub $field: $crate::request::Switch,] $($rest)* }
+    };
+    (@next $head:tt $under:tt [$($done:tt)*]
+        $(#[$of_field:meta])* pub $field:ident = $value:literal
+            $(with ($($more:tt)*))? $(under $heading:literal)?, $($rest:tt)*
+    ) => {
+        $crate::request::request! { @next $head $under [$($done)* $(#[$of_field])*
+            #[arg(long, value_name = $value $(, $($more)*)? $(, help_heading = $heading)?)]
+            pub $field: Option<freestand_input::written::Written>,] $($rest)* }
+    };
+    (@next { $(#[$meta:meta])* pub struct $name:ident $(<$of:ident: $kind:path>)? } $under:tt
+        [$($(#[$of_field:meta])* pub $field:ident: $type:ty,)*]
+    ) => {
         #[derive(Debug, Clone, Default, PartialEq, clap::Args)]
         #[group(skip)]
         $(#[$meta])*

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use clap::{Arg, ArgAction};
+use clap::Arg;
 use freestand::G0_M_S2;
 use freestand_assess::restrain::{
     self, Anchor, Anchors, DEFAULT_ANCHORS_PER_EDGE, Pivot, RestrainFactors, RestrainFloor,
@@ -25,7 +25,7 @@ use crate::cells::CellKeys;
 use crate::files::Files;
 use crate::place;
 use crate::request::{
-    Question, Request as _, Switch, one_of, path_without_flag, reader, request, typed_units,
+    Question, Request as _, one_of, path_without_flag, reader, request, typed_units,
 };
 use crate::study;
 use crate::target::TargetKeys;
@@ -44,20 +44,15 @@ request! { question
         #[command(flatten)]
         pub cells: CellKeys,
         /// Mass of the object
-        #[arg(long, value_name = "MASS")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// Height of the object
-        #[arg(long, value_name = "LENGTH")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Horizontal size of the object, the smaller one
-        #[arg(long, value_name = "LENGTH")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH",
         /// The other horizontal size [default: only the thickness is checked]
-        #[arg(long, value_name = "LENGTH")]
-        pub width: Option<Written>,
+        pub width = "LENGTH",
         /// Height of the centre of gravity [default: half of the height]
-        #[arg(long, value_name = "LENGTH")]
-        pub cg_height: Option<Written>,
+        pub cg_height = "LENGTH",
 
         /// Study (TOML) whose code, building and table `restraint` are used
         #[arg(
@@ -78,74 +73,54 @@ request! { question
         pub target: TargetKeys,
 
         /// Name or number of the floor; floor 1 is the first above the ground [default: the ground]
-        #[arg(long, value_name = "NAME", help_heading = "The floor")]
-        pub floor: Option<Written>,
+        pub floor = "NAME" under "The floor",
         /// Number of storeys of the building
-        #[arg(long, value_name = "N", help_heading = "The floor")]
-        pub storeys: Option<Written>,
+        pub storeys = "N" under "The floor",
         /// Height of a storey [default: 3.2 m]
-        #[arg(long, value_name = "LENGTH", help_heading = "The floor")]
-        pub storey_height: Option<Written>,
+        pub storey_height = "LENGTH" under "The floor",
         /// Height of the floor over that of the building: 0 is the ground, 1 the roof
-        #[arg(long, value_name = "RATIO", help_heading = "The floor")]
-        pub level_ratio: Option<Written>,
+        pub level_ratio = "RATIO" under "The floor",
 
         /// Importance: I_p of ASCE 7, I_c of AS 1170.4, γ_a of Eurocode 8, R_p of NZS 1170.5
         /// [default: 1; critical to life safety: 1.5]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub importance: Option<Written>,
+        pub importance = "RATIO" under "Factors",
         /// Amplification of the part: a_p, a_c, C_i, or A of a floor acceleration [default: by code]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub amplification: Option<Written>,
+        pub amplification = "RATIO" under "Factors",
         /// Response of the part, which divides: R_p of ASCE 7-16, R_c, q_a, 1/C_ph [default: by code]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub response: Option<Written>,
+        pub response = "RATIO" under "Factors",
         /// C_AR of ASCE 7-22 [default: 1]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub resonance: Option<Written>,
+        pub resonance = "RATIO" under "Factors",
         /// R_po of ASCE 7-22 [default: 1.5]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub strength: Option<Written>,
+        pub strength = "RATIO" under "Factors",
         /// R_μ of ASCE 7-22, from 1.3 [default: 1.3; 1 on the ground]
-        #[arg(long, value_name = "RATIO", help_heading = "Factors")]
-        pub building_ductility: Option<Written>,
+        pub building_ductility = "RATIO" under "Factors",
 
         /// What the object is, or those of a list whose name does not say it, for the tables of ASCE 7 and table 4.4 of EN 1998-1: cabinet, shelving,
         /// generator, engine, switchgear, computer, air-side, wet-side, isolated, other, or its name in
         /// words, such as "emergency generator" [default: other, the row for other components]
-        #[arg(long, value_name = "NAME")]
-        pub component: Option<Written>,
+        pub component = "NAME",
         /// Distance of the anchors from the edge that they hold down, inwards [default: assumed, 75 mm or
         /// a quarter of the side]
-        #[arg(long, value_name = "LENGTH")]
-        pub anchor_inset: Option<Written>,
+        pub anchor_inset = "LENGTH",
         /// The line about which an object tips: edge of the base, or feet that the anchors fix
         /// [default: edge]
-        #[arg(long, value_name = "LINE", value_parser = one_of(&Pivot::ALL))]
-        pub pivot: Option<Written>,
+        pub pivot = "LINE" with (value_parser = one_of(&Pivot::ALL)),
         /// Name of the anchor that you have chosen
-        #[arg(long, value_name = "NAME")]
-        pub anchor: Option<Written>,
+        pub anchor = "NAME",
         /// Its design capacity in tension, with which the tension in concrete is compared
-        #[arg(long, value_name = "FORCE")]
-        pub anchor_capacity: Option<Written>,
+        pub anchor_capacity = "FORCE",
         /// Its design capacity in shear; the ratio of the shear is then added
-        #[arg(long, value_name = "FORCE")]
-        pub anchor_shear_capacity: Option<Written>,
+        pub anchor_shear_capacity = "FORCE",
         /// Units of the texts and of the sheet; the JSON document is in SI [default: those of most of
         /// --mass, --height, --thickness, or of the list]
-        #[arg(long, value_name = "UNITS", value_parser = one_of(&UnitSystem::ALL))]
-        pub units: Option<Written>,
+        pub units = "UNITS" with (value_parser = one_of(&UnitSystem::ALL)),
         /// Anchors along each of the two edges [default: 2]
-        #[arg(long, value_name = "N")]
-        pub anchors_per_edge: Option<Written>,
+        pub anchors_per_edge = "N",
         /// Show the forces by other codes too, on the same spectrum
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub compare: Switch,
+        pub compare = switch,
         /// Whoever signs has confirmed the values that are quoted from memory: without it a sheet that rests on one is a
         /// draft
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub allow_recalled: Switch,
+        pub allow_recalled = switch,
     }
 }
 

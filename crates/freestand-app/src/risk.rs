@@ -26,21 +26,16 @@ request! { question
     #[command(mut_args(under_heading))]
     pub struct Risk {
         /// Fragilities, as freestand fragility writes them (CSV)
-        #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-        pub fragility: Option<Written>,
+        pub fragility = "FILE" under "Fragility",
         /// Table of outcomes (CSV), which is fitted first; stripes also give the losses of all objects
         /// under the same motions
-        #[arg(long, value_name = "FILE", help_heading = "Fragility")]
-        pub outcomes: Option<Written>,
+        pub outcomes = "FILE" under "Fragility",
         /// How the limit states of an object are fitted, with --outcomes [default: ordered]
-        #[arg(long, value_name = "FIT", value_parser = one_of(FITS), help_heading = "Fragility")]
-        pub fit: Option<Written>,
+        pub fit = "FIT" with (value_parser = one_of(FITS)) under "Fragility",
         /// Samples of motions for the 95 % intervals, with --outcomes; 0: none [default: 1000]
-        #[arg(long, value_name = "N", help_heading = "Fragility")]
-        pub bootstrap: Option<Written>,
+        pub bootstrap = "N" under "Fragility",
         /// Motion of which a spectral acceleration is taken [default: ground]
-        #[arg(long, value_name = "AT", value_parser = one_of(PLACES), help_heading = "Fragility")]
-        pub at: Option<Written>,
+        pub at = "AT" with (value_parser = one_of(PLACES)) under "Fragility",
 
         /// A hazard curve.
         #[command(flatten)]
@@ -50,30 +45,24 @@ request! { question
         pub of_code: HazardOfCode,
 
         /// Costs and accepted rates of objects: the inventory (CSV or XLSX)
-        #[arg(long, value_name = "FILE", help_heading = "Money")]
-        pub inventory: Option<Written>,
+        pub inventory = "FILE" under "Money",
         /// How its cells are read.
         #[command(flatten)]
         pub cells: CellKeys,
         /// Options, such as straps or pads: id, option, `cost [AUD]`, median_factor or curves (CSV)
-        #[arg(long, value_name = "FILE", help_heading = "Money")]
-        pub options: Option<Written>,
+        pub options = "FILE" under "Money",
         /// The most that options may cost, such as "20000 AUD"
-        #[arg(long, value_name = "AMOUNT", help_heading = "Money")]
-        pub budget: Option<Written>,
+        pub budget = "AMOUNT" under "Money",
         /// Years over which the savings of options count, such as "40 yr"
         #[arg(long = "horizon", value_name = "YEARS", help_heading = "Money")]
         pub horizon_years: Option<Written>,
         /// Discount rate per year, compounded continuously, such as "3 %"
-        #[arg(long, value_name = "RATIO", help_heading = "Money")]
-        pub discount: Option<Written>,
+        pub discount = "RATIO" under "Money",
 
         /// Rate of overturning that is accepted where the inventory has none, such as "1e-4 /yr"
-        #[arg(long, alias = "accepted-rate", value_name = "RATE")]
-        pub accepted: Option<Written>,
+        pub accepted = "RATE" with (alias = "accepted-rate"),
         /// Years for which the chance of a failure is stated [default: 50]
-        #[arg(long, value_name = "YEARS")]
-        pub years: Option<Written>,
+        pub years = "YEARS",
 
         /// Seed of the random numbers.
         #[arg(skip)]

@@ -16,7 +16,7 @@ use freestand_study::vary::{Variation, default_variations, parse_variation};
 use crate::files::Files;
 use crate::place::{self, PlaceKeys};
 use crate::records::Records;
-use crate::request::{Question, Request as _, Switch, reader, request, seed};
+use crate::request::{Question, Request as _, reader, request, seed};
 use crate::second::SecondKeys;
 use crate::study;
 
@@ -70,8 +70,7 @@ request! { question
         )]
         pub vary: Vec<Written>,
         /// Write each table of results as Parquet too; the same as parquet = true in the table of outputs
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub parquet: Switch,
+        pub parquet = switch,
 
         /// Seed of the random numbers.
         #[arg(skip)]

@@ -13,21 +13,15 @@ use crate::request::{paths, request};
 
 request! {
     /// Two horizontal components, and the directions in which objects may rock.
-    pub struct SecondKeys {
+    pub struct SecondKeys under "Two horizontal components" {
         /// Use two horizontal components of each file: "both", or two by name or number, such as "1, 2"
-        #[arg(
-            long,
-            value_name = "both|NAME, NAME",
-            help_heading = "Two horizontal components"
-        )]
-        pub components: Option<Written>,
+        pub components = "both|NAME, NAME",
         /// Files with the second component, one for each file of the first
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "Two horizontal components")]
         pub across: Vec<Written>,
         /// Step between the directions, from 0 to 180 degrees, in which objects may rock [default: 15
         /// deg]
-        #[arg(long, value_name = "ANGLE", help_heading = "Two horizontal components")]
-        pub rotation_step: Option<Written>,
+        pub rotation_step = "ANGLE",
     }
 }
 

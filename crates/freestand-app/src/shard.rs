@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use crate::job::check_shards;
-use clap::ArgAction;
 use freestand_input::problem::Problems;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
@@ -12,7 +11,7 @@ use freestand_report::signature::Signing;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{Question, Request as _, Switch, path_without_flag, reader, request, seed};
+use crate::request::{Question, Request as _, path_without_flag, reader, request, seed};
 
 request! { question
     /// An assessment that is divided into shards.
@@ -21,14 +20,11 @@ request! { question
         #[command(flatten)]
         pub list: ListKeys,
         /// Number of shards
-        #[arg(long, value_name = "N")]
-        pub shards: Option<Written>,
+        pub shards = "N",
         /// Also make outcomes.csv: what happened to every object in every world, by each model
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub outcomes: Switch,
+        pub outcomes = switch,
         /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-        #[arg(long, value_name = "N")]
-        pub pages: Option<Written>,
+        pub pages = "N",
 
         /// Seed of the random numbers.
         #[arg(skip)]
@@ -89,8 +85,7 @@ request! { question
         #[arg(value_name = "DIR")]
         pub dir: Option<Written>,
         /// Number of the shard, counted from 0
-        #[arg(long, value_name = "N")]
-        pub shard: Option<Written>,
+        pub shard = "N",
     }
 }
 
@@ -126,8 +121,7 @@ request! { question
         pub dir: Option<Written>,
         /// Whoever signs has confirmed the values that are quoted from memory: without it the report is a draft where it
         /// rests on one
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub allow_recalled: Switch,
+        pub allow_recalled = switch,
     }
 }
 

@@ -22,14 +22,11 @@ request! { question
     /// One landing of an object.
     pub struct Shock {
         /// Height of the object
-        #[arg(long, value_name = "LENGTH")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Horizontal size of the object in the plane of rocking
-        #[arg(long, value_name = "LENGTH")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH",
         /// Mass of the object
-        #[arg(long, value_name = "MASS")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// What else is known of the object.
         #[command(flatten)]
         pub block: GeneralBlock,
@@ -38,73 +35,50 @@ request! { question
         #[command(flatten)]
         pub pad: CushionUnder,
         /// Stiffness between the side of the object and what it falls onto
-        #[arg(long, value_name = "STIFFNESS", help_heading = "The cushion")]
-        pub contact_stiffness: Option<Written>,
+        pub contact_stiffness = "STIFFNESS" under "The cushion",
         /// Measured peak acceleration of the same mass dropped by the same rise, instead of a stiffness
-        #[arg(long, value_name = "ACCELERATION", help_heading = "The cushion")]
-        pub drop_acceleration: Option<Written>,
+        pub drop_acceleration = "ACCELERATION" under "The cushion",
 
         /// Rise of the centre of gravity
-        #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
-        pub cg_rise: Option<Written>,
+        pub cg_rise = "LENGTH" under "The fall (one of)",
         /// Uplift of the free edge
-        #[arg(long, value_name = "LENGTH", help_heading = "The fall (one of)")]
-        pub uplift: Option<Written>,
+        pub uplift = "LENGTH" under "The fall (one of)",
         /// Rotation of the object
-        #[arg(long, value_name = "ANGLE", help_heading = "The fall (one of)")]
-        pub rotation: Option<Written>,
+        pub rotation = "ANGLE" under "The fall (one of)",
         /// Angular velocity just before the landing
-        #[arg(
-            long,
-            value_name = "ANGULAR-VELOCITY",
-            help_heading = "The fall (one of)"
-        )]
-        pub angular_velocity: Option<Written>,
+        pub angular_velocity = "ANGULAR-VELOCITY" under "The fall (one of)",
 
         /// What ends the fall [default: rocking]
-        #[arg(long, value_name = "SCENARIO", value_parser = one_of(SCENARIOS), help_heading = "The landing")]
-        pub scenario: Option<Written>,
+        pub scenario = "SCENARIO" with (value_parser = one_of(SCENARIOS)) under "The landing",
         /// Impact model [default: that of the scenario; halted for a squat object]
-        #[arg(long, value_name = "MODEL", value_parser = one_of(MODELS), help_heading = "The landing")]
-        pub model: Option<Written>,
+        pub model = "MODEL" with (value_parser = one_of(MODELS)) under "The landing",
         /// Distance to the obstacle
-        #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
-        pub gap: Option<Written>,
+        pub gap = "LENGTH" under "The landing",
         /// Height of the obstacle [default: taller than the object]
-        #[arg(long, value_name = "LENGTH", help_heading = "The landing")]
-        pub obstacle_height: Option<Written>,
+        pub obstacle_height = "LENGTH" under "The landing",
         /// Point whose shock is wanted: "x, z", from the pivot and above the base
         #[arg(long = "at", value_name = "X, Z", help_heading = "The landing")]
         pub at_point: Option<Written>,
         /// Coefficient of friction, used for the warning about sliding [default: 0.5]
-        #[arg(long, value_name = "RATIO", help_heading = "The landing")]
-        pub friction: Option<Written>,
+        pub friction = "RATIO" under "The landing",
         /// Gravity [default: 1 g]
-        #[arg(long, value_name = "ACCELERATION", help_heading = "The landing")]
-        pub gravity: Option<Written>,
+        pub gravity = "ACCELERATION" under "The landing",
 
         /// Peak acceleration that the object withstands
-        #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
-        pub tolerance: Option<Written>,
+        pub tolerance = "ACCELERATION" under "The verdict",
         /// Duration of the half-sine pulse for which that peak was shown
-        #[arg(long, value_name = "TIME", help_heading = "The verdict")]
-        pub tolerance_duration: Option<Written>,
+        pub tolerance_duration = "TIME" under "The verdict",
         /// Velocity change below which no peak damages the object
-        #[arg(long, value_name = "VELOCITY", help_heading = "The verdict")]
-        pub tolerance_velocity_change: Option<Written>,
+        pub tolerance_velocity_change = "VELOCITY" under "The verdict",
         /// Shock tests of the object (ASTM D3332): a table with velocity change, peak acceleration and
         /// damaged (yes, no), and optionally method (A, B) or duration
-        #[arg(long, value_name = "FILE", help_heading = "The verdict")]
-        pub damage_boundary: Option<Written>,
+        pub damage_boundary = "FILE" under "The verdict",
         /// Uplift of one edge from which the object may fall back (bench handling)
-        #[arg(long, value_name = "LENGTH", help_heading = "The verdict")]
-        pub tolerance_edge_lift: Option<Written>,
+        pub tolerance_edge_lift = "LENGTH" under "The verdict",
         /// Natural frequency of the most delicate component; needs --component-capacity
-        #[arg(long, value_name = "FREQUENCY", help_heading = "The verdict")]
-        pub component_frequency: Option<Written>,
+        pub component_frequency = "FREQUENCY" under "The verdict",
         /// Acceleration that this component withstands
-        #[arg(long, value_name = "ACCELERATION", help_heading = "The verdict")]
-        pub component_capacity: Option<Written>,
+        pub component_capacity = "ACCELERATION" under "The verdict",
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand::shock_response::{Pulse, ShockSpectrumOptions};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{Dimension, parse_grid};
@@ -16,7 +15,7 @@ use freestand_study::shock_spectrum::{
 
 use crate::files::Files;
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, one_of, reader, request};
+use crate::request::{Question, Request, one_of, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.shock-spectrum/1";
@@ -30,32 +29,23 @@ request! { question
         #[arg(value_name = "FILE")]
         pub motion: Vec<Written>,
         /// A classical pulse instead of files
-        #[arg(long, value_name = "PULSE", value_parser = one_of(SHAPES), help_heading = "A pulse")]
-        pub pulse: Option<Written>,
+        pub pulse = "PULSE" with (value_parser = one_of(SHAPES)) under "A pulse",
         /// Peak of the pulse; the spectrum has the same unit
-        #[arg(long, value_name = "ACCELERATION", help_heading = "A pulse")]
-        pub peak_acceleration: Option<Written>,
+        pub peak_acceleration = "ACCELERATION" under "A pulse",
         /// Duration of the pulse
-        #[arg(long, value_name = "TIME", help_heading = "A pulse")]
-        pub duration: Option<Written>,
+        pub duration = "TIME" under "A pulse",
         /// Damping ratio of the oscillators [default: 5 %]
-        #[arg(long, value_name = "RATIO")]
-        pub damping: Option<Written>,
+        pub damping = "RATIO",
         /// Quality factor Q = 1/(2 damping), instead of the damping ratio [default: 10]
-        #[arg(long, value_name = "RATIO")]
-        pub q: Option<Written>,
+        pub q = "RATIO",
         /// Frequencies of the oscillators: from:to:N/oct, from:to:count or a list [default: 1 Hz:10 kHz:12/oct]
-        #[arg(long, value_name = "GRID")]
-        pub frequencies: Option<Written>,
+        pub frequencies = "GRID",
         /// Response of the oscillators [default: absolute-acceleration]
-        #[arg(long, value_name = "KIND", value_parser = one_of(KINDS))]
-        pub kind: Option<Written>,
+        pub kind = "KIND" with (value_parser = one_of(KINDS)),
         /// Peak of that response [default: maximax]
-        #[arg(long, value_name = "PEAK", value_parser = one_of(PEAKS))]
-        pub peak: Option<Written>,
+        pub peak = "PEAK" with (value_parser = one_of(PEAKS)),
         /// Find peaks at the samples only, not on the band-limited curve through them
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub no_upsample: Switch,
+        pub no_upsample = switch,
         /// How the records are read.
         #[command(flatten)]
         pub records: Records,

@@ -1,6 +1,5 @@
 //! `motion simulate`: motions of stochastic point sources.
 
-use clap::ArgAction;
 use freestand::code_spectrum::SiteClass;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::word_reader::WordReader;
@@ -12,7 +11,7 @@ use freestand_study::study::{DEFAULT_MOTIONS, DEFAULT_SEED};
 use freestand_study::target::{DEFAULT_YEARS, Target};
 
 use crate::files::Files;
-use crate::request::{Question, Request, Switch, motions, reader, request, seed};
+use crate::request::{Question, Request, motions, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.motion-simulate/1";
@@ -21,25 +20,20 @@ request! { question
     /// Motions of earthquakes: of one magnitude at one distance, or of those that agree with the code spectrum of a city.
     pub struct Simulate {
         /// Moment magnitude [default with --city: 5.5, 6, 6.5 and 7]
-        #[arg(long, value_name = "M")]
-        pub magnitude: Option<Written>,
+        pub magnitude = "M",
         /// Distance from the source to the site
-        #[arg(long, value_name = "LENGTH")]
-        pub distance: Option<Written>,
+        pub distance = "LENGTH",
         /// Find the distances at which the mean spectrum agrees with the rock spectrum of this city
         /// (AS 1170.4)
-        #[arg(long, visible_alias = "place", value_name = "NAME")]
-        pub city: Option<Written>,
+        pub city = "NAME" with (visible_alias = "place"),
         /// Return period in years; needs --city [default: 500]
         #[arg(long = "return-period", value_name = "YEARS")]
         pub return_period_years: Option<Written>,
         /// Site class of AS 1170.4; for other classes than Be, amplitudes are multiplied by the ratio
         /// of the code spectra [default: Be]
-        #[arg(long, value_name = "CLASS")]
-        pub site: Option<Written>,
+        pub site = "CLASS",
         /// Number of motions of each earthquake [default: 10]
-        #[arg(long, value_name = "N")]
-        pub count: Option<Written>,
+        pub count = "N",
         /// The source.
         #[command(flatten)]
         pub source: Source,
@@ -54,37 +48,24 @@ request! {
     /// A source and the crust around it.
     pub struct Source {
         /// Set of parameters: victoria (or melbourne), intraplate, se-australia [default: victoria]
-        #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
-        pub preset: Option<Written>,
+        pub preset = "NAME" under "The source and the crust",
         /// Stress drop, such as "200 bar" or "23 MPa" [default: the preset's]
-        #[arg(
-            long,
-            value_name = "PRESSURE",
-            help_heading = "The source and the crust"
-        )]
-        pub stress_drop: Option<Written>,
+        pub stress_drop = "PRESSURE" under "The source and the crust",
         /// κ0, the attenuation near the surface [default: the preset's]
-        #[arg(long, value_name = "TIME", help_heading = "The source and the crust")]
-        pub kappa: Option<Written>,
+        pub kappa = "TIME" under "The source and the crust",
         /// Shape of the source spectrum: single-corner (Brune), two-corner (Atkinson and Boore 1995) [default: the
         /// preset's]
-        #[arg(long, value_name = "SHAPE", help_heading = "The source and the crust")]
-        pub source_spectrum: Option<Written>,
+        pub source_spectrum = "SHAPE" under "The source and the crust",
         /// Duration along the path: boore (0.05 s per km), atkinson-boore (1995) [default: the preset's]
-        #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
-        pub path_duration: Option<Written>,
+        pub path_duration = "NAME" under "The source and the crust",
         /// Window of the shaking: lam (Lam, Wilson and Hutchinson 2000), saragoni-hart (1974) [default: the preset's]
-        #[arg(long, value_name = "NAME", help_heading = "The source and the crust")]
-        pub window: Option<Written>,
+        pub window = "NAME" under "The source and the crust",
         /// No amplification by the crust
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The source and the crust")]
-        pub hard_rock: Switch,
+        pub hard_rock = switch under "The source and the crust",
         /// Time step [default: 0.005 s]
-        #[arg(long, value_name = "TIME", help_heading = "The motion")]
-        pub time_step: Option<Written>,
+        pub time_step = "TIME" under "The motion",
         /// Corner frequency of the acausal high-pass filter [default: 0.05 Hz]
-        #[arg(long, value_name = "FREQUENCY", help_heading = "The motion")]
-        pub low_cut: Option<Written>,
+        pub low_cut = "FREQUENCY" under "The motion",
     }
 }
 

@@ -4,41 +4,33 @@ use clap::ArgAction;
 use freestand::sliding::Clearance;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
-use freestand_input::written::Written;
 use freestand_study::sliding::{Contact, Surface, SurfaceGiven};
 
 use crate::request::{Switch, request};
 
 request! {
     /// What is under an object that does not rock.
-    pub struct Sliding {
+    pub struct Sliding under "Sliding and casters" {
         /// The object slides and does not rock: its friction is at most its thickness divided by its
         /// height
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-        pub sliding: Switch,
+        pub sliding = switch,
         /// Coefficient of friction while it slides, at most --friction [default: equal to --friction]
-        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-        pub friction_kinetic: Option<Written>,
+        pub friction_kinetic = "RATIO",
         /// The object stands on casters that swivel, and rolls
         #[arg(long, alias = "castors", action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
         pub casters: Switch,
         /// Rolling resistance of the casters: 0.01 on a hard floor, 0.05 on carpet [default: 0.02]
-        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-        pub rolling_resistance: Option<Written>,
+        pub rolling_resistance = "RATIO",
         /// The casters are braked: the wheels slide at --friction, or hold until the object rocks on
         /// them (--base-width is the distance between them); halve the friction if half of them are
         /// braked
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Sliding and casters")]
-        pub brakes: Switch,
+        pub brakes = switch,
         /// Room to the left: the time and the speed at which the object reaches it are reported
-        #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
-        pub clearance_left: Option<Written>,
+        pub clearance_left = "LENGTH",
         /// Room to the right
-        #[arg(long, value_name = "LENGTH", help_heading = "Sliding and casters")]
-        pub clearance_right: Option<Written>,
+        pub clearance_right = "LENGTH",
         /// Stiffness of what it reaches there; with --mass it gives the shock of that stop
-        #[arg(long, value_name = "STIFFNESS", help_heading = "Sliding and casters")]
-        pub stop_stiffness: Option<Written>,
+        pub stop_stiffness = "STIFFNESS",
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand::block::Block;
 use freestand::respond::Settings;
 use freestand::rocking::{Base, Restitution, RockingModel};
@@ -25,7 +24,7 @@ use crate::block::{Rocking, accuracy, model, restitution};
 use crate::cushion::CushionUnder;
 use crate::files::Files;
 use crate::records::{NamedRecords, OneMotion, ReadMotions, Records, VerticalRecords};
-use crate::request::{Question, Request, Switch, reader, request, seed};
+use crate::request::{Question, Request, reader, request, seed};
 use crate::sliding::{Sliding, contact, surface};
 use crate::walls::{Walls, walls};
 
@@ -55,23 +54,18 @@ request! { question
         pub place: Place,
 
         /// Heights: a grid "from:to:count" or a list
-        #[arg(long, value_name = "GRID", help_heading = "The objects")]
-        pub heights: Option<Written>,
+        pub heights = "GRID" under "The objects",
         /// Thicknesses: a grid "from:to:count" or a list
-        #[arg(long, value_name = "GRID", help_heading = "The objects")]
-        pub thicknesses: Option<Written>,
+        pub thicknesses = "GRID" under "The objects",
         /// One object for each height and the thickness at the same place, instead of all combinations
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The objects")]
-        pub pairs: Switch,
+        pub pairs = switch under "The objects",
         /// Mass of each object; needed for the shock
-        #[arg(long, value_name = "MASS", help_heading = "The objects")]
-        pub mass: Option<Written>,
+        pub mass = "MASS" under "The objects",
         /// The cushion under one edge.
         #[command(flatten)]
         pub pad: CushionUnder,
         /// Coefficient of friction of objects that slide, at rest [default: 0.5]
-        #[arg(long, value_name = "RATIO", help_heading = "Sliding and casters")]
-        pub friction: Option<Written>,
+        pub friction = "RATIO" under "Sliding and casters",
         /// Whether the objects slide or stand on casters.
         #[command(flatten)]
         pub slides: Sliding,
@@ -91,8 +85,7 @@ request! { question
         /// motions; the ratio is then empty, as it is for objects that do not rock or that overturn
         /// under both. An object that overturns under both is `sensitive` if its history before that
         /// differs by more than 0.1 %.
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The rocking")]
-        pub sensitivity: Switch,
+        pub sensitivity = switch under "The rocking",
 
         /// Seed of the random numbers of synthetic motions.
         #[arg(skip)]
@@ -102,17 +95,11 @@ request! { question
 
 request! {
     /// A floor of a building at a place, instead of records.
-    pub struct Place {
+    pub struct Place under "A place instead of records" {
         /// Place, with its code and hazard; see freestand place list
-        #[arg(long, value_name = "NAME", help_heading = "A place instead of records")]
-        pub place: Option<Written>,
+        pub place = "NAME",
         /// Site class of the code
-        #[arg(
-            long,
-            value_name = "CLASS",
-            help_heading = "A place instead of records"
-        )]
-        pub site: Option<Written>,
+        pub site = "CLASS",
         /// Return period in years, of AS 1170.4 and NZS 1170.5
         #[arg(
             long = "return-period",
@@ -121,25 +108,13 @@ request! {
         )]
         pub return_period_years: Option<Written>,
         /// Number of synthetic motions [default: 10]
-        #[arg(long, value_name = "N", help_heading = "A place instead of records")]
-        pub count: Option<Written>,
+        pub count = "N",
         /// Height of the floor divided by that of the building: 0 is the ground, 1 the roof [default: 0]
-        #[arg(
-            long,
-            value_name = "RATIO",
-            help_heading = "A place instead of records"
-        )]
-        pub level_ratio: Option<Written>,
+        pub level_ratio = "RATIO",
         /// Number of storeys of the building [default: 30]
-        #[arg(long, value_name = "N", help_heading = "A place instead of records")]
-        pub storeys: Option<Written>,
+        pub storeys = "N",
         /// Height of a storey [default: 3.2 m]
-        #[arg(
-            long,
-            value_name = "LENGTH",
-            help_heading = "A place instead of records"
-        )]
-        pub storey_height: Option<Written>,
+        pub storey_height = "LENGTH",
     }
 }
 
@@ -199,7 +174,11 @@ impl Question for Spectrum {
     type Meant = Meant;
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
-        let (objects, shaking, named) = judged(self, files)?;
+        let Judged {
+            objects,
+            shaking,
+            named,
+        } = judged(self, files)?;
         let (shaking, mut inputs) = match shaking {
             Some(shaking) => (shaking, Vec::new()),
             None => {
@@ -226,11 +205,16 @@ impl Question for Spectrum {
     }
 }
 
-/// What a request means, with records that have not been read; they shake the objects where nothing else does.
-fn judged<'f>(
-    request: &Spectrum,
-    files: &'f Files,
-) -> Result<(SpectrumRequest, Option<Shaking>, NamedRecords<'f>), Problems> {
+/// What a request means, with records that have not been read.
+struct Judged<'f> {
+    objects: SpectrumRequest,
+    shaking: Option<Shaking>,
+    /// What shakes the objects where nothing else does.
+    named: NamedRecords<'f>,
+}
+
+/// What a request means.
+fn judged<'f>(request: &Spectrum, files: &'f Files) -> Result<Judged<'f>, Problems> {
     let words = request.words();
     let mut read = reader::<Spectrum>(&words, &request.unknown);
     let vertical = (request.vertical.as_slice(), &request.upward);
@@ -255,8 +239,11 @@ fn judged<'f>(
         };
         read.note(&[key], format!("`{key}` applies only to {home}"), hint);
     }
-    let objects = read.problems.finish(objects)?;
-    Ok((objects, shaking, named))
+    Ok(Judged {
+        objects: read.problems.finish(objects)?,
+        shaking,
+        named,
+    })
 }
 
 /// The synthetic motions of a place; `None`: records, or something is wrong.

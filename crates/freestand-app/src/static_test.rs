@@ -1,6 +1,5 @@
 //! `cushion static`: static tests of a pad.
 
-use clap::ArgAction;
 use freestand::identify::Toe;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -11,7 +10,7 @@ use freestand_study::laboratory::static_curve::StaticRequest;
 use freestand_study::laboratory::{BOUNDARIES, IMPACTORS};
 
 use crate::files::Files;
-use crate::request::{Question, Request, Switch, one_of, one_of_names, paths, reader, request};
+use crate::request::{Question, Request, one_of, one_of_names, paths, reader, request};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-static/1";
@@ -37,30 +36,23 @@ request! { question
         #[arg(value_name = "FILE")]
         pub files: Vec<Written>,
         /// Working load [default: half of the largest force]
-        #[arg(long, value_name = "FORCE")]
-        pub load: Option<Written>,
+        pub load = "FORCE",
         /// Stiffness of the frame of the machine, whose deformation is subtracted [default: rigid]
-        #[arg(long, value_name = "STIFFNESS")]
-        pub machine_compliance: Option<Written>,
+        pub machine_compliance = "STIFFNESS",
         /// What to cut off the toe of the curve [default: cut, but keep for a sphere]
-        #[arg(long, value_name = "WHAT", value_parser = one_of(TOES))]
-        pub toe: Option<Written>,
+        pub toe = "WHAT" with (value_parser = one_of(TOES)),
         /// Reverse the signs of force and displacement, for a press that writes compression as negative
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub invert: Switch,
+        pub invert = switch,
         /// Sensitivity of a sensor whose column is in volts, such as "2 mV/N" or "1 V/mm"; give it
         /// once for each such sensor
         #[arg(long, value_name = "SENSITIVITY")]
         pub sensitivity: Vec<Written>,
         /// Shape of the impactor; replaces what the files state
-        #[arg(long, value_name = "SHAPE", value_parser = one_of_names(&IMPACTORS))]
-        pub impactor: Option<Written>,
+        pub impactor = "SHAPE" with (value_parser = one_of_names(&IMPACTORS)),
         /// Boundary of the pad; replaces what the files state
-        #[arg(long, value_name = "BOUNDARY", value_parser = one_of_names(&BOUNDARIES))]
-        pub boundary: Option<Written>,
+        pub boundary = "BOUNDARY" with (value_parser = one_of_names(&BOUNDARIES)),
         /// Dynamic stiffness from a drop test, to compare with the secant stiffness
-        #[arg(long, value_name = "STIFFNESS")]
-        pub dynamic: Option<Written>,
+        pub dynamic = "STIFFNESS",
     }
 }
 

@@ -1,6 +1,5 @@
 //! `motion synth` and `motion match`: motions that fit a target.
 
-use clap::ArgAction;
 use freestand::synthesis::SynthesisOptions;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
@@ -15,7 +14,7 @@ use freestand_study::target::Target;
 use crate::files::Files;
 use crate::motion::{Meant, inputs, one_record};
 use crate::records::{NamedRecords, Records};
-use crate::request::{Question, Request, Switch, motions, one_of, reader, request, seed};
+use crate::request::{Question, Request, motions, one_of, reader, request, seed};
 use crate::target::TargetKeys;
 
 /// The schema of both responses.
@@ -28,17 +27,13 @@ request! { question
         #[command(flatten)]
         pub target: TargetKeys,
         /// Number of motions [default: 10]
-        #[arg(long, value_name = "N")]
-        pub count: Option<Written>,
+        pub count = "N",
         /// Time step, at most 0.01 s [default: 0.005 s]
-        #[arg(long, value_name = "TIME", help_heading = "The motion")]
-        pub time_step: Option<Written>,
+        pub time_step = "TIME" under "The motion",
         /// Length of the shaking including its tapers, at least 10 s [default: 40 s]
-        #[arg(long, value_name = "TIME", help_heading = "The motion")]
-        pub shaking: Option<Written>,
+        pub shaking = "TIME" under "The motion",
         /// Duration of the window that shapes the noise, about equal to D5-95 [default: 10 s]
-        #[arg(long, value_name = "TIME", help_heading = "The motion")]
-        pub envelope: Option<Written>,
+        pub envelope = "TIME" under "The motion",
         /// Whether the peak is that of the target.
         #[command(flatten)]
         pub peak: Peak,
@@ -56,8 +51,7 @@ request! { question
         #[arg(value_name = "FILE")]
         pub motion: Option<Written>,
         /// Method [default: wavelet]
-        #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS))]
-        pub method: Option<Written>,
+        pub method = "METHOD" with (value_parser = one_of(METHODS)),
         /// Whether the peak is that of the target.
         #[command(flatten)]
         pub peak: Peak,
@@ -72,11 +66,10 @@ request! { question
 
 request! {
     /// Whether the peak acceleration is that of the target.
-    pub struct Peak {
+    pub struct Peak under "The motion" {
         /// Scale half-cycles so that the peak acceleration is that of the target at T = 0; the fit at
         /// short periods gets worse
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The motion")]
-        pub match_pga: Switch,
+        pub match_pga = switch,
     }
 }
 

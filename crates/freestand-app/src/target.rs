@@ -17,35 +17,26 @@ request! {
     pub struct TargetKeys {
         /// Design code: as1170.4, eurocode8, asce7, nzs1170.5, ntc2018, tbdy2018, ts1170.5 [default: that of the place,
         /// as1170.4, or the table of --spectrum]
-        #[arg(long, value_name = "CODE", help_heading = "The code")]
-        pub code: Option<Written>,
+        pub code = "CODE" under "The code",
         /// Edition: 2007 (amended to 2018) or 2024 (unconfirmed) of AS 1170.4, 2022 or 2016 of ASCE 7 [default:
         /// the first]
-        #[arg(long, value_name = "YEAR", help_heading = "The code")]
-        pub edition: Option<Written>,
+        pub edition = "YEAR" under "The code",
         /// Site: class Ae to Ee of AS 1170.4 [default: De], ground type A to E of Eurocode 8 and NTC 2018, subsoil class A
         /// to E of NZS 1170.5, site class A to E of ASCE 7, ZA to ZE of TBDY 2018, I to VI of TS 1170.5
-        #[arg(long, value_name = "CLASS", help_heading = "The code")]
-        pub site: Option<Written>,
+        pub site = "CLASS" under "The code",
         /// Place or coordinates ("41.01, 28.97") whose hazard is used, with its code: freestand place list [default:
         /// Melbourne]
-        #[arg(long, value_name = "NAME", help_heading = "The code")]
-        pub place: Option<Written>,
+        pub place = "NAME" under "The code",
         /// Latitude in degrees, north positive, in place of --place
-        #[arg(long, value_name = "DEGREES", help_heading = "The code", allow_hyphen_values = true)]
-        pub latitude: Option<Written>,
+        pub latitude = "DEGREES" with (allow_hyphen_values = true) under "The code",
         /// Longitude in degrees, east positive
-        #[arg(long, value_name = "DEGREES", help_heading = "The code", allow_hyphen_values = true)]
-        pub longitude: Option<Written>,
+        pub longitude = "DEGREES" with (allow_hyphen_values = true) under "The code",
         /// Topographic category T1 to T4 of NTC 2018 [default: T1]
-        #[arg(long, value_name = "CLASS", help_heading = "The code")]
-        pub topography: Option<Written>,
+        pub topography = "CLASS" under "The code",
         /// Hazard factor Z [default: that of the place]
-        #[arg(long, value_name = "RATIO", help_heading = "AS 1170.4 and NZS 1170.5")]
-        pub hazard_factor: Option<Written>,
+        pub hazard_factor = "RATIO" under "AS 1170.4 and NZS 1170.5",
         /// Another name of --place
-        #[arg(long, value_name = "NAME", help_heading = "AS 1170.4 and NZS 1170.5")]
-        pub city: Option<Written>,
+        pub city = "NAME" under "AS 1170.4 and NZS 1170.5",
         /// Return period in years [default: 500]
         #[arg(
             long = "return-period",
@@ -54,55 +45,39 @@ request! {
         )]
         pub return_period_years: Option<Written>,
         /// Distance to the nearest major fault, for N(T, D) of NZS 1170.5 [default: no fault nearby]
-        #[arg(long, value_name = "LENGTH", help_heading = "AS 1170.4 and NZS 1170.5")]
-        pub fault_distance: Option<Written>,
+        pub fault_distance = "LENGTH" under "AS 1170.4 and NZS 1170.5",
         /// Type of spectrum: 1, or 2 if magnitudes stay below 5.5
-        #[arg(long, value_name = "1|2", help_heading = "Eurocode 8")]
-        pub spectrum_type: Option<Written>,
+        pub spectrum_type = "1|2" under "Eurocode 8",
         /// Reference ground acceleration on rock, a_gR
-        #[arg(long, value_name = "ACCELERATION", help_heading = "Eurocode 8")]
-        pub ground_acceleration: Option<Written>,
+        pub ground_acceleration = "ACCELERATION" under "Eurocode 8",
         /// Importance factor [default: 1]
-        #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
-        pub importance_factor: Option<Written>,
+        pub importance_factor = "RATIO" under "Eurocode 8",
         /// Soil factor S of a national annex [default: as recommended for the ground type]
-        #[arg(long, value_name = "RATIO", help_heading = "Eurocode 8")]
-        pub soil_factor: Option<Written>,
+        pub soil_factor = "RATIO" under "Eurocode 8",
         /// TB, TC and TD of a national annex, such as "0.15 s, 0.5 s, 2 s" [default: as recommended]
-        #[arg(long, value_name = "LIST", help_heading = "Eurocode 8")]
-        pub corner_periods: Option<Written>,
+        pub corner_periods = "LIST" under "Eurocode 8",
         /// Design acceleration at short periods
-        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-        pub sds: Option<Written>,
+        pub sds = "ACCELERATION" under "ASCE 7",
         /// Design acceleration at 1 s
-        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-        pub sd1: Option<Written>,
+        pub sd1 = "ACCELERATION" under "ASCE 7",
         /// Mapped acceleration at short periods, instead of --sds
-        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-        pub ss: Option<Written>,
+        pub ss = "ACCELERATION" under "ASCE 7",
         /// Mapped acceleration at 1 s, instead of --sd1
-        #[arg(long, value_name = "ACCELERATION", help_heading = "ASCE 7")]
-        pub s1: Option<Written>,
+        pub s1 = "ACCELERATION" under "ASCE 7",
         /// Site coefficient of --ss [default: that of --site]
-        #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
-        pub fa: Option<Written>,
+        pub fa = "RATIO" under "ASCE 7",
         /// Site coefficient of --s1 [default: that of --site]
-        #[arg(long, value_name = "RATIO", help_heading = "ASCE 7")]
-        pub fv: Option<Written>,
+        pub fv = "RATIO" under "ASCE 7",
         /// Long-period transition TL [default with --place: 8 s]
-        #[arg(long, value_name = "TIME", help_heading = "ASCE 7")]
-        pub long_period: Option<Written>,
+        pub long_period = "TIME" under "ASCE 7",
         /// Periods and pseudo-accelerations at 5 % damping, in columns with units in their headings; or a file of OpenQuake,
         /// USGS, EFEHR, AFAD or GEM, with --place for its site and --return-period
-        #[arg(long, value_name = "FILE", help_heading = "A table of your own")]
-        pub spectrum: Option<Written>,
+        pub spectrum = "FILE" under "A table of your own",
         /// How to interpolate between periods: log-log or linear [default: log-log]
-        #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
-        pub interpolation: Option<Written>,
+        pub interpolation = "HOW" under "A table of your own",
         /// Outside the periods of the table: refuse, or hold (constant Sa below, constant displacement above)
         /// [default: refuse]
-        #[arg(long, value_name = "HOW", help_heading = "A table of your own")]
-        pub beyond: Option<Written>,
+        pub beyond = "HOW" under "A table of your own",
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use clap::ArgAction;
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
 use freestand_input::problem::Problems;
@@ -15,7 +14,7 @@ use freestand_study::study::DEFAULT_SEED;
 
 use crate::CushionUnder;
 use crate::files::Files;
-use crate::request::{Question, Request as _, Switch, reader, request, seed};
+use crate::request::{Question, Request as _, reader, request, seed};
 
 /// The schema of the response.
 pub const SCHEMA: &str = "freestand.cushion-simulate/1";
@@ -33,54 +32,38 @@ request! { question
         #[command(flatten)]
         pub pad: CushionUnder,
         /// Mass of the impactor
-        #[arg(long, value_name = "MASS")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// Drop height
-        #[arg(long, value_name = "LENGTH")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Samples per second [default: 50 per contact]
-        #[arg(long, value_name = "FREQUENCY")]
-        pub sample_rate: Option<Written>,
+        pub sample_rate = "FREQUENCY",
         /// Standard deviation of white noise, as a share of the peak (in a static test, of the largest
         /// force) [default: 0]
-        #[arg(long, value_name = "RATIO")]
-        pub noise: Option<Written>,
+        pub noise = "RATIO",
         /// Bias added to every sample [default: 0 g]
-        #[arg(long, value_name = "ACCELERATION")]
-        pub bias: Option<Written>,
+        pub bias = "ACCELERATION",
         /// Shift of the zero line after the peak, as a share of the peak [default: 0]
-        #[arg(long, value_name = "RATIO")]
-        pub zero_shift: Option<Written>,
+        pub zero_shift = "RATIO",
         /// Corner frequency of a two-pole low-pass filter before the A/D converter [default: no filter]
-        #[arg(long, value_name = "FREQUENCY")]
-        pub filter_corner: Option<Written>,
+        pub filter_corner = "FREQUENCY",
         /// Time before the first touch [default: 3 contacts]
-        #[arg(long, value_name = "TIME")]
-        pub pre_trigger: Option<Written>,
+        pub pre_trigger = "TIME",
         /// Number of bounces after the first contact [default: 0]
-        #[arg(long, value_name = "N")]
-        pub bounces: Option<Written>,
+        pub bounces = "N",
         /// Gravity during the contact [default: 1 g]
-        #[arg(long, value_name = "ACCELERATION")]
-        pub gravity: Option<Written>,
+        pub gravity = "ACCELERATION",
         /// Number of tests [default: 1]
-        #[arg(long, value_name = "N")]
-        pub count: Option<Written>,
+        pub count = "N",
         /// Simulate static tests instead of drops
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Static tests")]
-        pub r#static: Switch,
+        pub r#static = switch under "Static tests",
         /// Largest force [default: 1 kN]
-        #[arg(long, value_name = "FORCE", help_heading = "Static tests")]
-        pub load: Option<Written>,
+        pub load = "FORCE" under "Static tests",
         /// Energy lost as a share of the energy put in [default: 0]
-        #[arg(long, value_name = "RATIO", help_heading = "Static tests")]
-        pub hysteresis: Option<Written>,
+        pub hysteresis = "RATIO" under "Static tests",
         /// Slack before the pad is touched [default: 0 mm]
-        #[arg(long, value_name = "LENGTH", help_heading = "Static tests")]
-        pub slack: Option<Written>,
+        pub slack = "LENGTH" under "Static tests",
         /// Stiffness of the machine [default: rigid]
-        #[arg(long, value_name = "STIFFNESS", help_heading = "Static tests")]
-        pub machine_compliance: Option<Written>,
+        pub machine_compliance = "STIFFNESS" under "Static tests",
 
         /// Seed of the random numbers.
         #[arg(skip)]
@@ -158,8 +141,8 @@ impl Question for VirtualTests {
             let options = drops(&mut read, mass_kg, noise, seed);
             let (mut edge, options) = read.problems.finish(edge.zip(options))?;
             let options = options(&edge.cushion);
-            let doubts: Vec<String> = edge.stiffness_doubts(options.mass_kg).collect();
-            edge.notes.extend(doubts);
+            let doubts = edge.stiffness_doubts(options.mass_kg);
+            edge.notes.extend(doubts.iter().map(ToString::to_string));
             (edge, Plan::Drop(options))
         };
         Ok(Meant {

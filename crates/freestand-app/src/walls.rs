@@ -4,41 +4,26 @@ use freestand::block::Block;
 use freestand::rocking::RockingModel;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
-use freestand_input::written::Written;
 use freestand_study::walls::{GivenWalls, WallStiffness, needs_a_gap};
 
 use crate::request::request;
 
 request! {
     /// Walls beside an object.
-    pub struct Walls {
+    pub struct Walls under "Walls beside the object" {
         /// Distance of the wall behind the object (on its left) from its face; 0 where they touch
         /// [default: no wall]
-        #[arg(
-            long,
-            visible_alias = "wall-gap",
-            value_name = "LENGTH",
-            help_heading = "Walls beside the object"
-        )]
-        pub wall_gap_left: Option<Written>,
+        pub wall_gap_left = "LENGTH" with (visible_alias = "wall-gap"),
         /// Distance of the wall on the right [default: no wall]
-        #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
-        pub wall_gap_right: Option<Written>,
+        pub wall_gap_right = "LENGTH",
         /// Height of the walls [default: taller than the object]
-        #[arg(long, value_name = "LENGTH", help_heading = "Walls beside the object")]
-        pub wall_height: Option<Written>,
+        pub wall_height = "LENGTH",
         /// Angular velocity after an impact on a wall divided by the one before, at least 0 and less
         /// than 1, on a rigid base [default: 0.5]
-        #[arg(long, value_name = "RATIO", help_heading = "Walls beside the object")]
-        pub wall_restitution: Option<Written>,
+        pub wall_restitution = "RATIO",
         /// Stiffness of the walls at the point of contact; with --mass it gives the shock there [default
         /// on a compliant base: that of the cushion under an edge]
-        #[arg(
-            long,
-            value_name = "STIFFNESS",
-            help_heading = "Walls beside the object"
-        )]
-        pub wall_stiffness: Option<Written>,
+        pub wall_stiffness = "STIFFNESS",
     }
 }
 

@@ -41,8 +41,8 @@ fn hashed(study: &Study, inventory: &Inventory, part: usize) -> Value {
         "motions": study.ground.names(&study.levels),
         "recorded": recorded(study),
         "target": target(study).map(|file| &file.sha256),
-        "building": study.building.iter().flat_map(|building| &building.tables).map(|(across, table)| {
-            json!({"key": table.key, "across": across, "sha256": table.file.sha256})
+        "building": study.building.iter().flat_map(|building| &building.tables).map(|table| {
+            json!({"key": table.key, "across": table.is_across, "sha256": table.file.sha256})
         }).collect::<Vec<_>>(),
         "directions_deg": study.directions_deg,
         "settings": settings(&study.assessment),

@@ -11,7 +11,7 @@ use freestand::respond::{Along, Shaking};
 use freestand::rocking::Base;
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{
-    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions,
+    BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions, WorldDraw,
     WorldPulse, WorldSpectra, place_among, world_motion, world_stream,
 };
 use rayon::prelude::*;
@@ -20,6 +20,7 @@ use crate::kept_motions::KeptMotions;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::shorten;
 use freestand_records::horizontal::HorizontalMotion;
+use freestand_study::result::GroundMotion;
 use freestand_study::run::ground_motions;
 use freestand_study::study::assessment::WorldSettings;
 use freestand_study::study::{
@@ -109,7 +110,7 @@ enum Source<'a> {
     /// Each world has a motion of its own, for a spectrum that deviates from the target.
     Synthetic(&'a SyntheticGround, Arc<QuickMatcher>),
     /// The worlds use these motions in turn.
-    InTurn(Arc<[(String, HorizontalMotion, Option<Motion>)]>),
+    InTurn(Arc<[GroundMotion]>),
     /// The worlds use the motions of the floors in turn.
     OnFloors { names: Arc<[String]> },
 }
@@ -277,12 +278,7 @@ impl<'a> Worlds<'a> {
                 }
             }
             Ground::Simulated(_) | Ground::Recorded(_) => {
-                let made = ground_motions(&study.ground, go_on)?;
-                Source::InTurn(
-                    made.into_iter()
-                        .map(|one| (one.name, one.motion, one.vertical))
-                        .collect(),
-                )
+                Source::InTurn(ground_motions(&study.ground, go_on)?.into())
             }
         };
         let WorldSettings {
@@ -424,7 +420,7 @@ impl<'a> Worlds<'a> {
         };
         match &self.source {
             Source::Synthetic(..) => format!("world {world}"),
-            Source::InTurn(motions) => of(&mut motions.iter().map(|(name, ..)| name)),
+            Source::InTurn(motions) => of(&mut motions.iter().map(|one| &one.name)),
             Source::OnFloors { names } => of(&mut names.iter()),
         }
     }
@@ -469,11 +465,11 @@ impl<'a> Worlds<'a> {
         let made = match &self.source {
             Source::OnFloors { .. } => return Ok(None),
             Source::InTurn(motions) => {
-                let (name, motion, vertical) = &motions[self.in_turn(world, again, motions.len())];
+                let one = &motions[self.in_turn(world, again, motions.len())];
                 GroundOfWorld {
-                    motion: motion.clone(),
-                    vertical: vertical.clone(),
-                    record: Some(name.clone()),
+                    motion: one.motion.clone(),
+                    vertical: one.vertical.clone(),
+                    record: Some(one.name.clone()),
                 }
             }
             Source::Synthetic(synthetic, matcher) => {
@@ -575,7 +571,11 @@ impl<'a> Worlds<'a> {
                 Component::Y => component_ratio * horizontal(t),
                 Component::Vertical => ground.vertical.sa_g(&ground.target, t).unwrap_or(f64::NAN),
             };
-            let draw = (ground.seed, world, again);
+            let draw = WorldDraw {
+                seed: ground.seed,
+                world,
+                repetition: again,
+            };
             let made = world_motion(target, &spectra, component, draw, matcher)
                 .map_err(failed("a motion"))?;
             let Some((pulse, amplitude_m_s)) = pulse.filter(|_| component != Component::Vertical)

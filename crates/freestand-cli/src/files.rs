@@ -21,10 +21,25 @@ use crate::printer::Printer;
 /// The files of `--out`; without it, nothing is written.
 #[derive(Debug)]
 pub(crate) struct Files {
-    folder: Option<(PathBuf, OutputFolder)>,
+    folder: Option<Folder>,
     printer: Printer,
-    /// Schema and further metadata of Parquet tables; `None`: tables are CSV only.
-    parquet: Option<(&'static str, Vec<(String, String)>)>,
+    /// What is said of Parquet tables; `None`: tables are CSV only.
+    parquet: Option<OfParquet>,
+}
+
+/// A folder before its files are in place.
+#[derive(Debug)]
+struct Folder {
+    /// Where it will be.
+    target: PathBuf,
+    staged: OutputFolder,
+}
+
+/// What Parquet tables say about themselves.
+#[derive(Debug)]
+struct OfParquet {
+    schema: &'static str,
+    facts: Vec<(String, String)>,
 }
 
 /// How tables are written.
@@ -68,10 +83,10 @@ impl Files {
     /// command reads.
     pub(crate) fn begin(global: &GlobalArgs, inputs: &[PathBuf]) -> Result<Self, Failure> {
         let folder = match &global.out {
-            Some(target) => Some((
-                target.clone(),
-                OutputFolder::stage(target, global.force, inputs)?,
-            )),
+            Some(target) => Some(Folder {
+                target: target.clone(),
+                staged: OutputFolder::stage(target, global.force, inputs)?,
+            }),
             None => None,
         };
         Ok(Self {
@@ -92,7 +107,10 @@ impl Files {
     ) -> Result<Self, Failure> {
         tables.check(global)?;
         let facts = tables.parquet.then(|| fingerprints(inputs)).transpose()?;
-        let parquet = facts.map(|inputs| (schema, provenance(seed, inputs)));
+        let parquet = facts.map(|inputs| OfParquet {
+            schema,
+            facts: provenance(seed, inputs),
+        });
         Ok(Self {
             parquet,
             ..Self::begin(global, inputs)?
@@ -110,10 +128,10 @@ impl Files {
         name: &str,
         bytes: impl FnOnce() -> B,
     ) -> Result<Option<String>, Failure> {
-        let Some((target, folder)) = &self.folder else {
+        let Some(Folder { target, staged }) = &self.folder else {
             return Ok(None);
         };
-        folder.write(name, bytes().as_ref())?;
+        staged.write(name, bytes().as_ref())?;
         Ok(Some(path_text(&target.join(name))))
     }
 
@@ -127,7 +145,7 @@ impl Files {
             return Ok(());
         }
         let table = table()?;
-        if let Some((schema, facts)) = &self.parquet {
+        if let Some(OfParquet { schema, facts }) = &self.parquet {
             let bytes = table.parquet(schema, facts.clone())?;
             self.write(&format!("{name}.parquet"), || bytes)?;
         }
@@ -159,7 +177,7 @@ impl Files {
         Ok(self
             .folder
             .as_ref()
-            .map(|(_, folder)| folder.begin(name))
+            .map(|folder| folder.staged.begin(name))
             .transpose()?)
     }
 
@@ -167,7 +185,7 @@ impl Files {
     pub(crate) fn path(&self, name: &str) -> Option<String> {
         self.folder
             .as_ref()
-            .map(|(target, _)| path_text(&target.join(name)))
+            .map(|folder| path_text(&folder.target.join(name)))
     }
 
     /// Ends a command: writes its document as `result.json`, with a short manifest, and prints the
@@ -180,7 +198,7 @@ impl Files {
         warnings: &[String],
         text: impl FnOnce() -> String,
     ) -> Result<(), Failure> {
-        if let Some((_, folder)) = &self.folder {
+        if let Some(Folder { staged: folder, .. }) = &self.folder {
             folder.write(
                 RESULT,
                 document(schema, &without_timing(body)?, warnings)?.as_bytes(),
@@ -213,7 +231,7 @@ impl Files {
         body: &T,
         warnings: &[String],
     ) -> Result<(), Failure> {
-        let Some((_, folder)) = self.folder else {
+        let Some(Folder { staged: folder, .. }) = self.folder else {
             return Ok(());
         };
         let mut names = folder.names()?;

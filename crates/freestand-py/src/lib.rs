@@ -16,7 +16,7 @@ mod spectrum;
 mod table;
 mod work;
 
-/// The extension module `freestand._freestand`.
+/// The extension module `freestand._freestand`, which the crate in extension/ makes a library of.
 #[pyo3::pymodule]
 mod _freestand {
     #[pymodule_export]

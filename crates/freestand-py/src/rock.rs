@@ -54,11 +54,11 @@ pub(crate) fn rock<'py>(
     let followed = followed.map_err(raised)?;
     let told_of = |one: &Followed| {
         let name = (followed.len() > 1).then(|| one.name.clone());
-        let warning = move |warning: &String| match &name {
+        let warning = move |warning: String| match &name {
             Some(name) => format!("{name}: {warning}"),
-            None => warning.clone(),
+            None => warning,
         };
-        one.warnings().iter().map(warning).collect::<Vec<_>>()
+        one.warnings().into_iter().map(warning).collect::<Vec<_>>()
     };
     let warnings: Vec<String> = followed.iter().flat_map(told_of).collect();
     let answers = followed.iter().map(|one| (one.name.clone(), one.answer()));

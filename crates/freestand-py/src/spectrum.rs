@@ -7,6 +7,7 @@ use freestand_app::request::Question as _;
 use freestand_app::spectrum::Spectrum;
 use freestand_input::problem::Problem;
 use freestand_output::facts::{Facts, Value};
+use freestand_report::doubts::spectrum_doubt;
 use freestand_study::at_place::LastGround;
 use freestand_study::spectrum::{
     SpectrumChunk, SpectrumTally, chunk_objects, spectrum as calculated,
@@ -252,7 +253,15 @@ pub(crate) fn spectrum<'py>(
                 Ok(())
             }
         })?;
-        Ok::<_, Problem>((all, request.warnings(&tallies), timing))
+        Ok::<_, Problem>((
+            all,
+            request
+                .doubts(&tallies)
+                .iter()
+                .map(spectrum_doubt)
+                .collect::<Vec<_>>(),
+            timing,
+        ))
     };
     let (all, warnings, timing) = watched(py, threads, work)?.map_err(raised_all)?;
     let made = |(name, column): (&'static str, Column)| {

@@ -3,6 +3,7 @@
 
 pub mod assessment;
 pub mod cushion;
+pub mod doubts;
 pub mod figures;
 pub mod fragility;
 pub mod library;

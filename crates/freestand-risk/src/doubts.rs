@@ -29,7 +29,7 @@ const BEYOND: f64 = 0.1;
 /// What to know beside rates and losses. Objects are named by their ids, intensities are those of the
 /// measure of the hazard.
 #[derive(Debug, Clone, PartialEq, EnumCount)]
-pub enum Doubt {
+pub enum RiskDoubt {
     /// Of the fragilities.
     Curves(Vec<CurveDoubt>),
     /// Of the hazard.
@@ -133,7 +133,7 @@ pub enum NoPortfolio {
 
 /// What was used because nobody stated it.
 #[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
-pub enum Assumed {
+pub enum RiskAssumption {
     /// The years of stated chances.
     Years(f64),
     /// The limit states of an object are fitted with one dispersion.
@@ -158,7 +158,7 @@ pub(crate) fn assumed(
     hazard: &MeasuredHazard,
     objects: &[ObjectRisk],
     options: Option<&[OptionRow]>,
-) -> Vec<Assumed> {
+) -> Vec<RiskAssumption> {
     let fits = match &request.curves {
         RiskCurves::Outcomes(fits) => Some(fits),
         RiskCurves::File(_) => None,
@@ -173,14 +173,23 @@ pub(crate) fn assumed(
     let options = options.into_iter().flatten();
     let without_life = options.filter(|row| row.life_years.is_none()).count();
     let all = [
-        (request.years.is_none(), Assumed::Years(DEFAULT_YEARS)),
-        (is_ordered, Assumed::OneDispersion),
-        (has_samples, Assumed::Replicates(DEFAULT_REPLICATES)),
-        (!is_placed, Assumed::Place),
-        (has_end, Assumed::HazardGoesOn),
-        (!objects.iter().any(accepts), Assumed::NothingAccepted),
-        (without_quantity > 0, Assumed::OneOfEach(without_quantity)),
-        (without_life > 0, Assumed::PaidOnce(without_life)),
+        (
+            request.years.is_none(),
+            RiskAssumption::Years(DEFAULT_YEARS),
+        ),
+        (is_ordered, RiskAssumption::OneDispersion),
+        (has_samples, RiskAssumption::Replicates(DEFAULT_REPLICATES)),
+        (!is_placed, RiskAssumption::Place),
+        (has_end, RiskAssumption::HazardGoesOn),
+        (
+            !objects.iter().any(accepts),
+            RiskAssumption::NothingAccepted,
+        ),
+        (
+            without_quantity > 0,
+            RiskAssumption::OneOfEach(without_quantity),
+        ),
+        (without_life > 0, RiskAssumption::PaidOnce(without_life)),
     ];
     let all = all.into_iter().filter(|(is_so, _)| *is_so);
     all.map(|(_, assumed)| assumed).collect()
@@ -264,18 +273,21 @@ fn ids<'o>(objects: impl Iterator<Item = &'o ObjectRisk>) -> Vec<String> {
 }
 
 /// Objects that reach limit states below the first point of the hazard curve.
-pub(crate) fn begins_too_high(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Doubt> {
+pub(crate) fn begins_too_high(
+    hazard: &MeasuredHazard,
+    objects: &[ObjectRisk],
+) -> Option<RiskDoubt> {
     let Hazard::Points(points) = &hazard.hazard else {
         return None;
     };
     let is_cut = |object: &&ObjectRisk| object.states.iter().any(|one| one.rates.begins_too_high());
     let ids = ids(objects.iter().filter(is_cut));
     let first = points.first().filter(|_| !ids.is_empty())?.intensity;
-    Some(Doubt::BeginsTooHigh { first, ids })
+    Some(RiskDoubt::BeginsTooHigh { first, ids })
 }
 
 /// Objects with much of a rate above the last point of the hazard curve.
-pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<Doubt> {
+pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> Option<RiskDoubt> {
     let Hazard::Points(points) = &hazard.hazard else {
         return None;
     };
@@ -291,12 +303,12 @@ pub(crate) fn ends_too_low(hazard: &MeasuredHazard, objects: &[ObjectRisk]) -> O
     let mut cut = objects.iter().filter(|object| largest(object) > BEYOND);
     let (last, ids) = (points.last()?.intensity, ids(cut.clone()));
     let share = largest(cut.next()?);
-    Some(Doubt::EndsTooLow { last, share, ids })
+    Some(RiskDoubt::EndsTooLow { last, share, ids })
 }
 
 /// Rates of which more than a tenth is between two intensities of the runs, or below or above all of them; at
 /// last, which intensities would tell them.
-pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<Doubt> {
+pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<RiskDoubt> {
     let kinds: [fn(Gap) -> bool; 3] = [
         |gap| matches!(gap, Gap::Below { .. }),
         |gap| matches!(gap, Gap::Between(..)),
@@ -312,9 +324,9 @@ pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<Doubt> {
         };
         let ids = ids(objects.iter().filter(|object| gap(object).is_some()));
         let gap = objects.iter().find_map(|object| gap(&object))?;
-        Some(Doubt::NotResolved { gap, ids })
+        Some(RiskDoubt::NotResolved { gap, ids })
     });
-    let mut found: Vec<Doubt> = found.collect();
+    let mut found: Vec<RiskDoubt> = found.collect();
     // Also those that tell the other rates, so that none is lost.
     let levels = objects
         .iter()
@@ -322,7 +334,7 @@ pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<Doubt> {
         .filter_map(|one| one.levels)
         .reduce(Levels::with);
     let levels = levels.filter(|_| !found.is_empty());
-    found.extend(levels.map(|levels| Doubt::WouldTell {
+    found.extend(levels.map(|levels| RiskDoubt::WouldTell {
         from: levels.from,
         to: levels.to,
         count: levels.count(),
@@ -331,7 +343,7 @@ pub(crate) fn not_resolved(objects: &[ObjectRisk]) -> Vec<Doubt> {
 }
 
 /// Objects of one list that the other does not have.
-pub(crate) fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<Doubt> {
+pub(crate) fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<RiskDoubt> {
     let Some(costs) = costs else {
         return Vec::new();
     };
@@ -342,15 +354,15 @@ pub(crate) fn unmatched(costs: Option<&Costs>, curves: &[ObjectCurves]) -> Vec<D
     let without_costs: Vec<String> = curves.filter(|id| !priced.contains(id)).cloned().collect();
     let without_curves: Vec<String> = rows.filter(|id| !curved.contains(id)).cloned().collect();
     let some = |ids: Vec<String>| Some(ids).filter(|ids| !ids.is_empty());
-    let without_costs = some(without_costs).map(Doubt::WithoutCosts).into_iter();
+    let without_costs = some(without_costs).map(RiskDoubt::WithoutCosts).into_iter();
     without_costs
-        .chain(some(without_curves).map(Doubt::WithoutFragility))
+        .chain(some(without_curves).map(RiskDoubt::WithoutFragility))
         .collect()
 }
 
 /// Objects whose accepted rates could not all be compared.
-pub(crate) fn unjudged(objects: &[ObjectRisk]) -> Option<Doubt> {
+pub(crate) fn unjudged(objects: &[ObjectRisk]) -> Option<RiskDoubt> {
     let why = objects.iter().find_map(|one| one.why)?;
     let ids = ids(objects.iter().filter(|one| one.why.is_some()));
-    Some(Doubt::Unjudged { why, ids })
+    Some(RiskDoubt::Unjudged { why, ids })
 }

@@ -12,7 +12,7 @@ use freestand_study::run::Progress;
 use super::costs::OptionRow;
 use super::objects::{Avoided, LossBounds, ObjectRisk, avoided};
 use super::request::RiskRequest;
-use crate::doubts::{Doubt, OpenOptions};
+use crate::doubts::{OpenOptions, RiskDoubt};
 use crate::fragility::MeasuredHazard;
 use crate::fragility::go_on;
 use freestand_inventory::{Rating, currency_code};
@@ -519,7 +519,7 @@ impl Measures {
     }
 
     /// The options of which something is not known.
-    pub(crate) fn doubts(&self) -> Vec<Doubt> {
+    pub(crate) fn doubts(&self) -> Vec<RiskDoubt> {
         let is_life =
             |worth: &&Worth| worth.life_safety > Some(Rating::Low) && worth.falls.is_none();
         let lives: Vec<&Worth> = self.ranking.iter().filter(is_life).collect();
@@ -531,8 +531,8 @@ impl Measures {
                 more: rest.len(),
             })
         };
-        let worth = open(&self.unknown()).map(Doubt::UnknownWorth);
-        let falls = open(&lives).map(Doubt::UnknownFalls);
+        let worth = open(&self.unknown()).map(RiskDoubt::UnknownWorth);
+        let falls = open(&lives).map(RiskDoubt::UnknownFalls);
         worth.into_iter().chain(falls).collect()
     }
 

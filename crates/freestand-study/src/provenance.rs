@@ -46,7 +46,7 @@ pub fn provenance(study: &Study) -> Provenance {
         }
     }
     let tables = study.building.iter().flat_map(|building| &building.tables);
-    inputs.extend(tables.map(|(_, table)| named(&table.file)));
+    inputs.extend(tables.map(|table| named(&table.file)));
     if let Ground::Synthetic(synthetic) = &study.ground {
         inputs.extend(synthetic.target.file.iter().map(named));
     }

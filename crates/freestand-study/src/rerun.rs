@@ -197,18 +197,34 @@ pub fn with_cushion(toml: &str, words: &Words) -> Result<String, Problem> {
     Ok(study.to_string())
 }
 
-/// The text with the building's tables in other files: `(of the second axis, key, file)`.
+/// A table of a building in another file.
+#[derive(Debug, Clone, Copy)]
+pub struct MovedTable<'a> {
+    /// Whether it is of the second axis.
+    pub is_across: bool,
+    /// The key that names it.
+    pub key: &'a str,
+    /// The file.
+    pub file: &'a str,
+}
+
+/// The text with the building's tables in other files.
 ///
 /// # Errors
 /// A text that is not TOML, or without the keys.
-pub fn with_building_tables(
+pub fn with_building_tables<'a>(
     toml: &str,
-    tables: &[(bool, &str, String)],
+    tables: impl IntoIterator<Item = MovedTable<'a>>,
 ) -> Result<String, Problem> {
     let mut study = parse(toml)?;
-    for (across, key, file) in tables {
+    for MovedTable {
+        is_across,
+        key,
+        file,
+    } in tables
+    {
         let mut axis = study.get_mut("building");
-        if *across {
+        if is_across {
             axis = axis.and_then(|building| building.get_mut("across"));
         }
         let Some(old) = axis
@@ -217,7 +233,7 @@ pub fn with_building_tables(
         else {
             return Err(broken(format!("it has no {key}")));
         };
-        replace(old, file.as_str());
+        replace(old, file);
     }
     Ok(study.to_string())
 }
@@ -314,19 +330,24 @@ mod tests {
     fn tables_of_buildings_get_their_new_places() {
         let study = "[building]\nstorey_table = \"/x/a.csv\" # ours\nacross = { mode_table = \"b.csv\", damping = 0.02 }\n";
         let tables = [
-            (false, "storey_table", "building/along.csv".into()),
-            (true, "mode_table", "c.csv".into()),
-        ];
+            (false, "storey_table", "building/along.csv"),
+            (true, "mode_table", "c.csv"),
+        ]
+        .map(|(is_across, key, file)| MovedTable {
+            is_across,
+            key,
+            file,
+        });
         let expected = study
             .replace("/x/a.csv", "building/along.csv")
             .replace("b.csv", "c.csv");
-        assert_eq!(with_building_tables(study, &tables).unwrap(), expected);
+        assert_eq!(with_building_tables(study, tables).unwrap(), expected);
         let study = "[building.across]\nmode_table = \"b.csv\"\n";
         assert_eq!(
-            with_building_tables(study, &tables[1..]).unwrap(),
+            with_building_tables(study, [tables[1]]).unwrap(),
             study.replace("b.csv", "c.csv")
         );
-        assert!(with_building_tables(study, &tables).is_err());
+        assert!(with_building_tables(study, tables).is_err());
     }
 
     #[test]

@@ -14,8 +14,9 @@ use freestand::rocking::{
 use freestand::spectra::{ShockCell, UpliftCell, landings};
 
 use crate::cushion::EdgeCushion;
+use crate::doubt::{HistoryDoubt, HistoryNote};
 use crate::shape::Sizes;
-use crate::unsolved::{self, base, unresolved_warning};
+use crate::unsolved::{self, base, unresolved};
 use crate::walls::{WallAnswer, WallStiffness};
 use freestand_input::problem::Problem;
 use freestand_input::words::{Choices, name_of};
@@ -147,7 +148,6 @@ answer! {
         steps: usize = rocking.effort.steps;
         /// Evaluations of the equation of motion.
         evaluations: usize = rocking.effort.evaluations;
-        notes: Vec<String> = notes(rocking, shock.is_some()) => "note";
     }
 
     /// An impact on the floor.
@@ -163,16 +163,15 @@ answer! {
     }
 }
 
-/// What the shock of an object on pads leaves out where its base is rigid.
-const PADS_GIVE_THE_SHOCK_ALONE: &str = "the base is rigid: the pads are used for the shock alone, and on them the object may lift more";
-
 /// The response of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RockReport {
     /// What it did.
     pub answer: RockAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
+    /// What its reader must know.
+    pub notes: Vec<HistoryNote>,
     /// Its history.
     pub history: RigidHistory,
     /// Its impacts on the floor.
@@ -244,48 +243,39 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
     let body = cushion.map(|(mass, edge)| (*mass, &edge.cushion));
     let landed = edge_landings(block, rocking, body, gravity);
 
-    let mut warnings = Sizes::of(block).doubts();
+    let sizes = Sizes::of(block).doubts();
+    let mut doubts: Vec<HistoryDoubt> = sizes.into_iter().map(HistoryDoubt::Size).collect();
     if block.landing_ratio() < 0.0 {
-        warnings.push(
-            ValidityWarning::Squat {
-                landing_ratio: block.landing_ratio(),
-            }
-            .to_string(),
-        );
+        doubts.push(HistoryDoubt::Validity(ValidityWarning::Squat {
+            landing_ratio: block.landing_ratio(),
+        }));
     }
-    warnings.extend(unresolved_warning(rocking.outcome));
-    warnings.extend(crate::walls::doubts(
-        block,
-        &request.object.walls,
-        rocking.contacts,
-    ));
+    doubts.extend(unresolved(rocking.outcome));
+    let walls = &request.object.walls;
+    doubts.extend(crate::walls::doubts(block, walls, rocking.contacts));
     if let Some((mass, edge)) = cushion {
-        warnings.extend(edge.stiffness_doubts(*mass));
+        let mut of_cushion = edge.stiffness_doubts(*mass);
         let impacts = landings.iter().zip(rocking.sides).map(|(landing, side)| {
             let rise_m = landing.pivot.largest_rise_m(side.peak_rotation_rad);
             landing.impact(*mass, &edge.cushion, rise_m, gravity)
         });
-        let deepest = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
-        warnings.extend(
-            deepest
-                .into_iter()
-                .flat_map(|impact| edge.compression_doubts(impact.compression_m)),
-        );
+        if let Some(deepest) = impacts.max_by(|a, b| a.compression_m.total_cmp(&b.compression_m)) {
+            of_cushion.extend(edge.compression_doubts(deepest.compression_m));
+        }
+        doubts.extend(of_cushion.into_iter().map(HistoryDoubt::Validity));
     }
-    let limit = request.friction.unwrap_or(ASSUMED_FRICTION);
-    let mut sliding = |needed: f64, when| {
-        if needed > limit {
-            let assumed = if request.friction.is_some() {
-                ""
-            } else {
-                "; this coefficient is assumed: `friction` replaces it"
-            };
+    let friction_ratio = request.friction.unwrap_or(ASSUMED_FRICTION);
+    let mut sliding = |needed_ratio: f64, when| {
+        if needed_ratio > friction_ratio {
             let warning = ValidityWarning::Sliding {
-                needed_ratio: needed,
-                friction_ratio: limit,
+                needed_ratio,
+                friction_ratio,
                 when,
             };
-            warnings.push(format!("{warning}{assumed}"));
+            doubts.push(match request.friction {
+                Some(_) => HistoryDoubt::Validity(warning),
+                None => HistoryDoubt::SlidesByAssumption(warning),
+            });
         }
     };
     if let Some(needed) = friction {
@@ -297,12 +287,11 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         }
     }
     if friction.is_some_and(f64::is_infinite) {
-        warnings.push(
-            "at some instant the contact would have to pull the object down: the object would leave the floor, \
-             which the model does not include"
-                .to_owned(),
-        );
+        doubts.push(HistoryDoubt::LeavesTheFloor);
     }
+    let on_pads = shock.map(|_| HistoryNote::PadsForShockAlone);
+    let leans = rocking.leaning.then_some(HistoryNote::Leans);
+    let notes = leans.into_iter().chain(on_pads).collect();
 
     let answer = RockAnswer::of(
         rocking,
@@ -315,7 +304,8 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
     );
     RockReport {
         answer,
-        warnings,
+        doubts,
+        notes,
         history,
         landings: landed,
     }
@@ -328,16 +318,6 @@ fn peak_rotation_ratio(block: &Block, rocking: &Rocking) -> f64 {
     sides
         .map(|(landing, side)| side.peak_rotation_rad / landing.pivot.slenderness_angle_rad)
         .fold(0.0, f64::max)
-}
-
-fn notes(rocking: &Rocking, has_shock: bool) -> Vec<String> {
-    let leaning = rocking.leaning.then_some("it leans on a wall at the end");
-    let on_pads = has_shock.then_some(PADS_GIVE_THE_SHOCK_ALONE);
-    leaning
-        .into_iter()
-        .chain(on_pads)
-        .map(str::to_owned)
-        .collect()
 }
 
 /// The columns of a history.

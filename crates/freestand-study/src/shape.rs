@@ -1,11 +1,11 @@
 //! The general block, from what is known of an object.
 
 use freestand::block::{Block, BlockError};
-use freestand::impact::ValidityWarning;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::number;
 use std::ops::RangeInclusive;
+
+use crate::doubt::{SquatObjects, UnlikelySize};
 
 /// Height of an object \[m\]: a paperweight to a tank of three storeys.
 pub const HEIGHT_M: RangeInclusive<f64> = 0.05..=12.0;
@@ -50,24 +50,21 @@ impl Sizes {
         })
     }
 
-    /// Warnings about sizes that hardly any object has. Models on a shaking table are so small.
-    pub fn doubts(self) -> Vec<String> {
-        let told = |(key, size_m, range): (&str, f64, RangeInclusive<f64>)| {
-            format!(
-                "`{key}` is {} m, and that of an object is between {} and {} m: check its unit",
-                number(size_m, 4),
-                range.start(),
-                range.end()
-            )
+    /// Sizes that hardly any object has. Models on a shaking table are so small.
+    pub fn doubts(self) -> Vec<UnlikelySize> {
+        let doubt = |(key, size_m, usual_m)| UnlikelySize {
+            key,
+            size_m,
+            usual_m,
         };
-        self.outside(1.0).map(told).collect()
+        self.outside(1.0).map(doubt).collect()
     }
 
     /// As [`Sizes::doubts`], where the answer is about an object that exists.
     ///
     /// # Errors
     /// Sizes that no object has.
-    pub fn check(self) -> Result<Vec<String>, Problems> {
+    pub fn check(self) -> Result<Vec<UnlikelySize>, Problems> {
         let refused = |(key, size_m, range): (&'static str, f64, RangeInclusive<f64>)| {
             let message = format!("`{key}`: no object has {} m", number(size_m, 4));
             let hint = format!(
@@ -130,20 +127,16 @@ pub fn size_words(thickness_m: f64, height_m: f64) -> String {
 }
 
 /// How many of `objects` blocks are squat, and the first of them; `None` if there is none.
-pub(crate) fn squat_warning(objects: usize, blocks: impl Iterator<Item = Block>) -> Option<String> {
+pub(crate) fn squat(objects: usize, blocks: impl Iterator<Item = Block>) -> Option<SquatObjects> {
     let mut squat = blocks.filter(|block| block.landing_ratio() < 0.0);
     let first = squat.next()?;
-    let count = 1 + squat.count();
-    let size = |length_m| format_si(length_m, Dimension::Length);
-    let are = if count == 1 { "is" } else { "are" };
-    Some(format!(
-        "{count} of {objects} objects {are} squat, the first {} high and {} thick: {}",
-        size(first.height_m()),
-        size(first.thickness_m()),
-        ValidityWarning::Squat {
-            landing_ratio: first.landing_ratio()
-        }
-    ))
+    Some(SquatObjects {
+        count: 1 + squat.count(),
+        objects,
+        height_m: first.height_m(),
+        thickness_m: first.thickness_m(),
+        landing_ratio: first.landing_ratio(),
+    })
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use freestand::sliding::{
     trip_speed_m_s,
 };
 
+use crate::doubt::HistoryDoubt;
 use crate::rock::RockImpact;
 use crate::unsolved::{self, base, rocking_problem, sliding_problem};
 use freestand_input::problem::Problem;
@@ -322,8 +323,8 @@ fn plane_outcome(sliding: &PlaneSliding) -> SlidingOutcome {
 pub struct PlaneSlideReport {
     /// What it did.
     pub answer: PlaneSlideAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
     /// Its history.
     pub history: PlaneSlideHistory,
 }
@@ -333,8 +334,8 @@ pub struct PlaneSlideReport {
 pub struct SlideReport {
     /// What it did.
     pub answer: SlideAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
     /// Its history.
     pub history: SlideHistory,
 }
@@ -360,7 +361,7 @@ pub fn slide(request: &SlideRequest) -> Result<SlideReport, Problem> {
     }
     Ok(SlideReport {
         answer: SlideAnswer::of(&history.sliding, request),
-        warnings: warnings(
+        doubts: doubts(
             request,
             history.sliding.contact,
             history.sliding.final_velocity_m_s,
@@ -409,19 +410,17 @@ pub fn slide_under_both(request: &SlideRequest) -> Result<PlaneSlideReport, Prob
     if let Some(time_s) = history.sliding.free_flight_time_s {
         return Err(rocking_problem(RockingError::FreeFlight { time_s }));
     }
-    let mut warnings = warnings(
+    let mut doubts = doubts(
         request,
         history.sliding.contacts[0],
         history.sliding.final_speed_m_s,
     );
     if !request.slides_across {
-        warnings.push(
-            "whether it rocks across before it slides is not known without `width`".to_owned(),
-        );
+        doubts.push(HistoryDoubt::MayRockAcross);
     }
     Ok(PlaneSlideReport {
         answer: PlaneSlideAnswer::of(&history.sliding, request),
-        warnings,
+        doubts,
         history,
     })
 }
@@ -438,35 +437,26 @@ pub fn slide_under(surface: &Surface, block: Block, base: Base) -> Result<Slidin
     found.map(|found| found.sliding).map_err(unsolved::problem)
 }
 
-fn warnings(
+fn doubts(
     request: &SlideRequest,
     contact: Option<(f64, f64)>,
     final_velocity_m_s: f64,
-) -> Vec<String> {
-    let mut warnings = Vec::new();
+) -> Vec<HistoryDoubt> {
     let surface = &request.surface;
-    if surface.is_assumed {
-        let (key, ratio) = (surface.key(), surface.friction.static_ratio());
-        let name = key.replace('_', " ");
-        warnings.push(format!(
-            "the {name} of {ratio} is assumed: `{key}` replaces it"
-        ));
-    }
-    let trip = trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2);
-    if let Some((_, velocity_m_s)) = contact.filter(|(_, velocity)| velocity.abs() >= trip) {
-        warnings.push(format!(
-            "it reaches its clearance at {} m/s, and its trip speed is {} m/s: a low stop there would overturn it",
-            significant(velocity_m_s.abs(), 3),
-            significant(trip, 3)
-        ));
-    }
-    if final_velocity_m_s != 0.0 {
-        warnings.push(
-            "it still moves at the end of the calculation: a longer `duration` follows it to rest"
-                .to_owned(),
-        );
-    }
-    warnings
+    let assumed = surface.is_assumed.then(|| HistoryDoubt::Assumed {
+        key: surface.key(),
+        ratio: surface.friction.static_ratio(),
+    });
+    let trip_m_s = trip_speed_m_s(&request.block, request.how.settings.gravity_m_s2);
+    let trips = contact
+        .map(|(_, velocity_m_s)| velocity_m_s.abs())
+        .filter(|speed_m_s| *speed_m_s >= trip_m_s)
+        .map(|speed_m_s| HistoryDoubt::Trips {
+            speed_m_s,
+            trip_m_s,
+        });
+    let moves = (final_velocity_m_s != 0.0).then_some(HistoryDoubt::StillMoves);
+    assumed.into_iter().chain(trips).chain(moves).collect()
 }
 
 /// The columns of a history.

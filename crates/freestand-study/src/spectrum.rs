@@ -12,16 +12,14 @@ use freestand::motion::Motion;
 use freestand::respond::{RigidPlane, Settings};
 use freestand::rocking::{Base, FREE_FLIGHT, Outcome, Restitution, RockingError};
 use freestand::sliding::{Sliding, SlidingOutcome};
-use freestand::spectra::{
-    PERTURBATION_RATIO, SENSITIVE_RATIO, Sensitivity, ShockCell, UpliftCell, uplift_sensitivity,
-    uplift_spectrum,
-};
+use freestand::spectra::{Sensitivity, ShockCell, UpliftCell, uplift_sensitivity, uplift_spectrum};
 use freestand::wall::{Contact, Walls};
 use rayon::prelude::*;
 
 use crate::cushion::{BOTTOMED, EdgeCushion};
+use crate::doubt::SpectrumDoubt;
 use crate::resolve::MAX_OBJECTS;
-use crate::shape::{Sizes, squat_warning};
+use crate::shape::{Sizes, squat};
 use crate::sliding::{Surface, slide_under};
 use crate::walls::{WallStiffness, acceleration_g, speed_m_s};
 use freestand_input::problem::Problem;
@@ -182,31 +180,24 @@ impl SpectrumRequest {
         self.surface.as_ref().is_some_and(carried)
     }
 
-    /// Warnings about the validity of the results, which `tallies` sum up.
-    pub fn warnings(&self, tallies: &[SpectrumTally]) -> Vec<String> {
+    /// What may make the results wrong, which `tallies` sum up.
+    pub fn doubts(&self, tallies: &[SpectrumTally]) -> Vec<SpectrumDoubt> {
         let objects = self.grid.objects();
-        let mut warnings: Vec<String> = squat_warning(objects, self.grid.blocks(0..objects))
-            .into_iter()
-            .collect();
-        warnings.extend(
-            self.grid
-                .blocks(0..objects)
-                .flat_map(|block| Sizes::of(&block).doubts())
-                .next(),
-        );
+        let squat = squat(objects, self.grid.blocks(0..objects));
+        let mut doubts: Vec<SpectrumDoubt> = squat.map(SpectrumDoubt::Squat).into_iter().collect();
+        let mut sizes = self.grid.blocks(0..objects);
+        let first = sizes.find_map(|block| Sizes::of(&block).doubts().into_iter().next());
+        doubts.extend(first.map(SpectrumDoubt::Size));
         if let Some((mass_kg, edge)) = &self.cushion {
-            warnings.extend(edge.stiffness_doubts(*mass_kg));
+            let of_stiffness = edge.stiffness_doubts(*mass_kg);
+            doubts.extend(of_stiffness.into_iter().map(SpectrumDoubt::Validity));
             let deepest_m = tallies
                 .iter()
                 .filter_map(|tally| tally.largest_compression_m)
                 .reduce(f64::max);
-            let beyond = deepest_m
-                .into_iter()
-                .flat_map(|deepest_m| edge.compression_doubts(deepest_m));
-            warnings.extend(
-                beyond
-                    .map(|warning| format!("the landing with the largest compression: {warning}")),
-            );
+            let beyond = deepest_m.into_iter();
+            let beyond = beyond.flat_map(|deepest_m| edge.compression_doubts(deepest_m));
+            doubts.extend(beyond.map(SpectrumDoubt::OfDeepestLanding));
         }
         let sum = |count: fn(&SpectrumTally) -> usize| tallies.iter().map(count).sum::<usize>();
         let (total, failed, sensitive) = (
@@ -215,18 +206,12 @@ impl SpectrumRequest {
             sum(|tally| tally.sensitive),
         );
         if failed > 0 {
-            warnings.push(format!(
-                "{failed} of {total} histories could not be calculated: see the column reason"
-            ));
+            doubts.push(SpectrumDoubt::Failed { failed, total });
         }
         if sensitive > 0 {
-            warnings.push(format!(
-                "{sensitive} of {total} histories are sensitive: an error of the motion grows more than \
-                 {SENSITIVE_RATIO} times in the rotation or the impacts, or an error of {PERTURBATION_RATIO:e} of the \
-                 motion may change the outcome"
-            ));
+            doubts.push(SpectrumDoubt::Sensitive { sensitive, total });
         }
-        warnings
+        doubts
     }
 }
 

@@ -264,7 +264,7 @@ answer_of!(
     /// Along its second axis, if that differs.
     across: Option<AxisInputs<'_>> =
         of.1.across.as_ref().map(|across| AxisInputs(across, of.1.across_note.as_deref()));
-    tables: Vec<Input> = of.1.tables.iter().map(|(_, table)| Input::from(&table.file)).collect();
+    tables: Vec<Input> = of.1.tables.iter().map(|table| Input::from(&table.file)).collect();
 });
 
 answer_of!(

@@ -7,6 +7,7 @@ use freestand::rocking::{Base, Outcome, RockingError};
 use freestand::sliding::SlidingError;
 use freestand_input::problem::{Problem, ProblemKind};
 
+use crate::doubt::HistoryDoubt;
 use crate::walls::wall_problem;
 
 /// The motions under an object, as far as they are given.
@@ -107,11 +108,7 @@ fn compliant_problem(error: CompliantError) -> Problem {
     Problem::new(kind, error.to_string()).hint(hint)
 }
 
-/// What to do about a history that ended before it was certain what becomes of the object.
-pub(crate) fn unresolved_warning(outcome: Outcome) -> Option<String> {
-    (outcome == Outcome::Unresolved).then(|| {
-        "at the end of the calculation the object is neither at rest nor down: leave `duration` out, or give a longer \
-         one, to see whether it falls"
-            .to_owned()
-    })
+/// A history that ended before it was certain what becomes of the object.
+pub(crate) fn unresolved(outcome: Outcome) -> Option<HistoryDoubt> {
+    (outcome == Outcome::Unresolved).then_some(HistoryDoubt::Unresolved)
 }

@@ -1,14 +1,15 @@
 //! Walls as a person gives them, and what a history says about them.
 
 use freestand::G0_M_S2;
-use freestand::block::Block;
+use freestand::block::{Block, Pivot};
 use freestand::rocking::{Rocking, SideExtremes, WallImpact};
 use freestand::wall::{Contact, DEFAULT_WALL_RESTITUTION_RATIO, Wall, WallError, Walls};
 use freestand::wall_shock::{WallShock, largest};
 use freestand::worlds::{WALL_DAMPING_RATIO, WALL_STIFFNESS_RATIO};
 use freestand_input::problem::Problem;
-use freestand_input::words::number;
 use freestand_output::answer;
+
+use crate::doubt::HistoryDoubt;
 
 /// The walls beside an object, in SI, as far as they were given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -75,24 +76,6 @@ impl GivenCushion {
         let is_open = self.stiffness_n_m.is_none() || self.damping_ratio.is_none();
         is_open.then(|| [of(soft, least), of(stiff, most)])
     }
-}
-
-/// What an object does beside a wall: k_w over the stiffness of an edge and ζ_w, how it ends and its largest tilt \[rad\].
-pub(crate) type Ended = ((f64, f64), &'static str, f64);
-
-/// What an object does beside the softest and least damped wall that may stand there and beside the stiffest and most
-/// damped one.
-pub(crate) fn ends_warning(ends: [Ended; 2]) -> String {
-    let of = |((stiffness_ratio, damping_ratio), outcome, tilt_rad): Ended| {
-        format!(
-            "with {} times the stiffness of an edge and {} % of damping the outcome is {outcome}, the largest tilt {} rad",
-            number(stiffness_ratio, 3),
-            number(100.0 * damping_ratio, 2),
-            number(tilt_rad, 3)
-        )
-    };
-    let [soft, stiff] = ends.map(of);
-    format!("the cushion of the walls is assumed: {soft}; {stiff}")
 }
 
 /// A wall that cannot be used, with what to do about it.
@@ -195,44 +178,37 @@ fn impulse_n_s(rocking: &Rocking, block: &Block, mass_kg: f64) -> Option<f64> {
     )
 }
 
-/// What is said of walls that hold nothing: beyond the reach of the object, or past its balance
-/// point.
-pub(crate) fn doubts(block: &Block, walls: &Walls, contacts: [Option<Contact>; 2]) -> Vec<String> {
+/// Walls that hold nothing: beyond the reach of the object, or past its balance point.
+pub(crate) fn doubts(
+    block: &Block,
+    walls: &Walls,
+    contacts: [Option<Contact>; 2],
+) -> Vec<HistoryDoubt> {
     let [right, left] = contacts;
-    let sides = [
-        (
-            "left",
-            walls.left,
-            left,
-            block.pivot().slenderness_angle_rad,
-        ),
-        (
-            "right",
-            walls.right,
-            right,
-            block.right_pivot().slenderness_angle_rad,
-        ),
-    ];
-    let doubt = |(side, wall, contact, balance_rad): (&str, Option<Wall>, Option<Contact>, f64)| {
+    let (on_left, on_right) = (block.pivot(), block.right_pivot());
+    let doubt = |side, wall: Option<Wall>, contact: Option<Contact>, pivot: Pivot| {
         let gap_m = wall?.gap_m;
         let Some(Contact { angle_rad, .. }) = contact else {
-            return Some(format!(
-                "the wall on the {side} is {} m away and the object {} m high: it cannot touch it, so there is no wall \
-                 within reach",
-                number(gap_m, 4),
-                number(block.height_m(), 4)
-            ));
+            return Some(HistoryDoubt::WallOutOfReach {
+                side,
+                gap_m,
+                height_m: block.height_m(),
+            });
         };
-        (angle_rad >= balance_rad).then(|| {
-            format!(
-                "the object touches the wall on the {side} at {} rad, past its balance point at {} rad: it can \
-                 fall against the wall and lean there",
-                number(angle_rad, 3),
-                number(balance_rad, 3)
-            )
+        let balance_rad = pivot.slenderness_angle_rad;
+        (angle_rad >= balance_rad).then_some(HistoryDoubt::WallPastBalance {
+            side,
+            angle_rad,
+            balance_rad,
         })
     };
-    sides.into_iter().filter_map(doubt).collect()
+    [
+        doubt("left", walls.left, left, on_left),
+        doubt("right", walls.right, right, on_right),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// The largest speed of an impact on a wall; `None` without one.
@@ -280,15 +256,30 @@ mod tests {
             let walls = walls.walls(&block).unwrap();
             doubts(&block, &walls, walls.contacts(&block).unwrap())
         };
-        assert!(
-            doubts(12.0, None)[0].contains("the wall on the left is 12 m away"),
-            "{:?}",
-            doubts(12.0, None)
-        );
-        assert!(doubts(2.0, None)[0].contains("no wall within reach"));
+        let out_of_reach = |gap_m| {
+            vec![HistoryDoubt::WallOutOfReach {
+                side: "left",
+                gap_m,
+                height_m: 2.0,
+            }]
+        };
+        assert_eq!(doubts(12.0, None), out_of_reach(12.0));
+        assert_eq!(doubts(2.0, None), out_of_reach(2.0));
         // asin(0.5/2) = 0.253 > atan(0.4/2) = 0.197; atan(0.01/0.005) = 1.107.
-        assert!(doubts(0.5, None)[0].contains("at 0.253 rad, past its balance point at 0.197 rad"));
-        assert!(doubts(0.01, Some(0.005))[0].contains("at 1.11 rad, past its balance point"));
+        for (gap_m, height_m, expected_rad) in [(0.5, None, 0.2527), (0.01, Some(0.005), 1.1071)] {
+            let [
+                HistoryDoubt::WallPastBalance {
+                    side: "left",
+                    angle_rad,
+                    balance_rad,
+                },
+            ] = doubts(gap_m, height_m)[..]
+            else {
+                panic!("{:?}", doubts(gap_m, height_m))
+            };
+            assert!((angle_rad - expected_rad).abs() < 1e-4, "{angle_rad}");
+            assert!((balance_rad - 0.1974).abs() < 1e-4, "{balance_rad}");
+        }
         assert_eq!(
             (doubts(0.3, None), doubts(0.0, None)),
             (Vec::new(), Vec::new())

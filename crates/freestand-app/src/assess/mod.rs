@@ -5,7 +5,6 @@ pub mod sites;
 use std::path::PathBuf;
 
 use crate::job::Job;
-use clap::ArgAction;
 use freestand_assess::result::Decision;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::word_reader::WordReader;
@@ -20,9 +19,7 @@ use sites::Sites;
 
 use crate::files::Files;
 use crate::list::{ListKeys, ListMeant};
-use crate::request::{
-    Question, Request as _, Switch, discount, one_of, path, reader, request, seed,
-};
+use crate::request::{Question, Request as _, discount, one_of, path, reader, request, seed};
 
 /// The schema of the response.
 pub use crate::job::SCHEMA;
@@ -35,55 +32,42 @@ request! { question
         pub list: ListKeys,
         /// File of sites (TOML), each `[sites.NAME]` with place, storeys, study and inventory of its own: one table,
         /// and with a budget one plan, over all of them
-        #[arg(long, value_name = "FILE.toml")]
-        pub sites: Option<Written>,
+        pub sites = "FILE.toml",
         /// Continue an earlier run in the same folder
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub resume: Switch,
+        pub resume = switch,
         /// Tables to write besides objects.csv, assessment.xlsx and report.html [default: csv]
         #[arg(long, value_name = "FORMAT", value_delimiter = ',', value_parser = one_of(TABLES))]
         pub format: Vec<Written>,
         /// Also write outcomes.csv: what happened to every object in every world, by each model
-        #[arg(long, action = ArgAction::SetTrue)]
-        pub outcomes: Switch,
+        pub outcomes = switch,
         /// Number of objects, the most urgent first, that get a page in the report [default: 200]
-        #[arg(long, value_name = "N")]
-        pub pages: Option<Written>,
+        pub pages = "N",
         /// Print the card of every object too, where the report is printed
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
-        pub cards: Switch,
+        pub cards = switch under "The report",
         /// Date on the report [default: a line to fill in]
-        #[arg(long, value_name = "DATE", help_heading = "The report")]
-        pub date: Option<Written>,
+        pub date = "DATE" under "The report",
         /// Who prepared the report [default: a line to fill in]
-        #[arg(long, value_name = "NAME", help_heading = "The report")]
-        pub preparer: Option<Written>,
+        pub preparer = "NAME" under "The report",
         /// Revision of the report [default: a line to fill in]
-        #[arg(long, value_name = "TEXT", help_heading = "The report")]
-        pub revision: Option<Written>,
+        pub revision = "TEXT" under "The report",
         /// Whoever signs has confirmed the values that are quoted from memory: without it the report and the work orders
         /// are drafts where they rest on one
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The report")]
-        pub allow_recalled: Switch,
+        pub allow_recalled = switch under "The report",
         /// Folder of an earlier assessment: the report says what is new, gone, done or worse since then
-        #[arg(long, value_name = "DIR", help_heading = "The report")]
-        pub since: Option<Written>,
+        pub since = "DIR" under "The report",
         /// End with status 1 if an object gets this verdict; give it once for each verdict
         #[arg(long, value_name = "VERDICT", value_parser = one_of(VERDICTS))]
         pub fail_on: Vec<Written>,
 
         /// The most that restraints may cost, such as "20000 NZD": also plan what to restrain, life safety first
-        #[arg(long, value_name = "AMOUNT", help_heading = "The plan")]
-        pub budget: Option<Written>,
+        pub budget = "AMOUNT" under "The plan",
         /// Your own restraints (CSV); its entries replace built-in entries with the same id
-        #[arg(long, value_name = "FILE.csv", help_heading = "The plan")]
-        pub restraints: Option<Written>,
+        pub restraints = "FILE.csv" under "The plan",
         /// Years over which the savings of restraints count [default: 50 yr, assumed]
         #[arg(long = "horizon", value_name = "YEARS", help_heading = "The plan")]
         pub horizon_years: Option<Written>,
         /// Discount rate per year, compounded continuously [default: 3 %, assumed]
-        #[arg(long, value_name = "RATIO", help_heading = "The plan")]
-        pub discount: Option<Written>,
+        pub discount = "RATIO" under "The plan",
 
         /// Seed of the random numbers.
         #[arg(skip)]

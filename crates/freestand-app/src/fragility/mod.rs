@@ -5,7 +5,7 @@ mod runs;
 
 use std::path::PathBuf;
 
-use clap::{Arg, ArgAction};
+use clap::Arg;
 use freestand::G0_M_S2;
 use freestand::fragility::FitKind;
 use freestand_input::file::InputFile;
@@ -28,7 +28,7 @@ use crate::files::Files;
 use crate::hazard::{self, HazardCurve};
 use crate::list::ListKeys;
 use crate::records::{Records, VerticalRecords};
-use crate::request::{Question, Request as _, Switch, one_of, path, reader, request, seed};
+use crate::request::{Question, Request as _, one_of, path, reader, request, seed};
 
 use exports::Exports;
 use runs::{Chosen, RunMotions};
@@ -40,8 +40,7 @@ request! { question
     #[command(mut_args(under_heading))]
     pub struct Fragility {
         /// Table of outcomes (CSV) of earlier runs; nothing is run
-        #[arg(long, value_name = "FILE")]
-        pub outcomes: Option<Written>,
+        pub outcomes = "FILE",
         /// The study and the list of the objects.
         #[command(flatten)]
         pub list: ListKeys,
@@ -53,17 +52,13 @@ request! { question
         pub runs: RunKeys,
         /// Motion of which a spectral acceleration is taken. With --motion, `ground` says that the object
         /// is on the ground [default: ground; with --motion, floor]
-        #[arg(long, value_name = "AT", value_parser = one_of(PLACES))]
-        pub at: Option<Written>,
+        pub at = "AT" with (value_parser = one_of(PLACES)),
         /// How the limit states of an object are fitted [default: ordered]
-        #[arg(long, value_name = "FIT", value_parser = one_of(FIT_METHODS))]
-        pub fit: Option<Written>,
+        pub fit = "FIT" with (value_parser = one_of(FIT_METHODS)),
         /// Largest shock without overturning, the ceiling_g of freestand shock; with --outcomes
-        #[arg(long, value_name = "ACCELERATION", help_heading = "From the shocks")]
-        pub ceiling: Option<Written>,
+        pub ceiling = "ACCELERATION" under "From the shocks",
         /// Samples of motions for the 95 % intervals; 0: none [default: 1000]
-        #[arg(long, value_name = "N")]
-        pub bootstrap: Option<Written>,
+        pub bootstrap = "N",
         /// Folders for other programs.
         #[command(flatten)]
         pub exports: ExportKeys,
@@ -95,16 +90,13 @@ pub const PLACES: Choices<At> = &[
 
 request! {
     /// One object, and the motions of the floor under it.
-    pub struct OneObject {
+    pub struct OneObject under "One object" {
         /// Height of one object, instead of an inventory
-        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-        pub height: Option<Written>,
+        pub height = "LENGTH",
         /// Horizontal size of the object in the plane of rocking
-        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-        pub thickness: Option<Written>,
+        pub thickness = "LENGTH",
         /// Mass of the object; needed for the shock
-        #[arg(long, value_name = "MASS", help_heading = "One object")]
-        pub mass: Option<Written>,
+        pub mass = "MASS",
         /// What else is known of the object.
         #[command(flatten)]
         pub block: GeneralBlock,
@@ -113,24 +105,18 @@ request! {
         pub pad: CushionUnder,
         /// Restitution: angular velocity after an impact divided by the one before, in (0, 1]
         /// [default: Housner's]
-        #[arg(long, value_name = "RATIO", help_heading = "One object")]
-        pub restitution: Option<Written>,
+        pub restitution = "RATIO",
         /// Factor that multiplies Housner's restitution
-        #[arg(long, value_name = "RATIO", help_heading = "One object")]
-        pub restitution_factor: Option<Written>,
+        pub restitution_factor = "RATIO",
         /// Peak acceleration of a landing that the object withstands. With --outcomes and --ceiling, the
         /// fit of `exceeds` uses the shocks of the column `edge_acceleration [g]`, not the outcomes
-        #[arg(long, value_name = "ACCELERATION", help_heading = "One object")]
-        pub tolerance: Option<Written>,
+        pub tolerance = "ACCELERATION",
         /// Duration of the half-sine pulse whose peak is --tolerance
-        #[arg(long, value_name = "TIME", help_heading = "One object")]
-        pub tolerance_duration: Option<Written>,
+        pub tolerance_duration = "TIME",
         /// Velocity change that the object withstands; with --tolerance a damage boundary
-        #[arg(long, value_name = "VELOCITY", help_heading = "One object")]
-        pub tolerance_velocity_change: Option<Written>,
+        pub tolerance_velocity_change = "VELOCITY",
         /// Uplift of the free edge that the object withstands
-        #[arg(long, value_name = "LENGTH", help_heading = "One object")]
-        pub tolerance_edge_lift: Option<Written>,
+        pub tolerance_edge_lift = "LENGTH",
         /// Records of the horizontal acceleration of the floor under the object
         #[arg(long, value_name = "FILE", num_args = 1.., help_heading = "One object")]
         pub motion: Vec<Written>,
@@ -148,56 +134,44 @@ request! {
 
 request! {
     /// How the runs are chosen.
-    pub struct RunKeys {
+    pub struct RunKeys under "The runs" {
         /// Rotation divided by α beyond which `exceeds` is reached, such as 0.4; also for an inventory
-        #[arg(long, value_name = "RATIO", help_heading = "The runs")]
-        pub tolerance_rotation: Option<Written>,
+        pub tolerance_rotation = "RATIO",
         /// Intensity measures, such as "pfv, pfa, sa(0.5), sa_avg(0.2:2), velocity_ratio"; the first one
         /// is that of fragility.csv [default: pfv, with a study pgv]
-        #[arg(long, value_name = "LIST", help_heading = "The runs")]
-        pub im: Option<Written>,
+        pub im = "LIST",
         /// How the runs are chosen [default: ida]
-        #[arg(long, value_name = "METHOD", value_parser = one_of(METHODS), help_heading = "The runs")]
-        pub method: Option<Written>,
+        pub method = "METHOD" with (value_parser = one_of(METHODS)),
         /// `adaptive`, or a grid "from:to:count" of equal ratios, or a list. For ida these are factors on the
         /// motions, such as "0.5:5:10"; for stripes intensities by the first measure, such as
         /// "0.1 m/s:2 m/s:12" [default: adaptive]
-        #[arg(long, value_name = "adaptive|GRID", help_heading = "The runs")]
-        pub scales: Option<Written>,
+        pub scales = "adaptive|GRID",
         /// Largest factor on a motion [default: 10]
-        #[arg(long, value_name = "RATIO", help_heading = "The runs")]
-        pub max_scale: Option<Written>,
+        pub max_scale = "RATIO",
         /// Options (CSV), as for freestand risk: objects whose stiffness, base thickness or mass an option
         /// changes are also run as changed, with the id ID/option
-        #[arg(long, value_name = "FILE", help_heading = "The runs")]
-        pub options: Option<Written>,
+        pub options = "FILE",
         /// Continue the runs of an inventory that Ctrl-C or a crash ended, in the same --out
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "The runs")]
-        pub resume: Switch,
+        pub resume = switch,
         /// Number of worlds, if the study generates its motions; records are used once each [default: 40]
-        #[arg(long, value_name = "N", help_heading = "The runs")]
-        pub worlds: Option<Written>,
+        pub worlds = "N",
     }
 }
 
 request! {
     /// Folders for other programs.
-    pub struct ExportKeys {
+    pub struct ExportKeys under "Other programs" {
         /// Write a folder for another program into --out; may be given several times
         #[arg(long, value_name = "FORMAT", value_parser = one_of(FORMATS), help_heading = "Other programs")]
         pub format: Vec<Written>,
         /// Intensity of the scenario, such as "0.4 m/s" [default: those of the outcomes]
-        #[arg(long, value_name = "INTENSITY", help_heading = "Other programs")]
-        pub demand: Option<Written>,
+        pub demand = "INTENSITY",
         /// Realizations of pelicun with --demand [default: 10000]
-        #[arg(long, value_name = "N", help_heading = "Other programs")]
-        pub realizations: Option<Written>,
+        pub realizations = "N",
         /// β for limit states that have none, such as a step
-        #[arg(long, value_name = "RATIO", help_heading = "Other programs")]
-        pub beta: Option<Written>,
+        pub beta = "RATIO",
         /// Export curves as points (shares of runs, or the fit of the shocks) instead of lognormal curves
-        #[arg(long, action = ArgAction::SetTrue, help_heading = "Other programs")]
-        pub discrete: Switch,
+        pub discrete = switch,
     }
 }
 

@@ -8,9 +8,9 @@ use freestand_input::problem::{Problem, Problems};
 use freestand_inventory::Inventory;
 use freestand_output::folder::{MANIFEST, OutputFolder};
 use freestand_output::json::document;
-use freestand_report::assessment::{SHARED_NAMES, SitesReport, write_sites};
+use freestand_report::assessment::{SHARED_NAMES, SiteReport, SitesReport, write_sites};
 use freestand_risk::budget::{
-    Budget, Insured, InsuredSite, exposure, losses_over_sites, plan_over_sites,
+    Budget, Insured, InsuredSite, PlannedSite, exposure, losses_over_sites, plan_over_sites,
 };
 use freestand_study::resolve::motion_paths;
 use freestand_study::run::Progress;
@@ -93,26 +93,30 @@ pub fn assess_sites(
             return Err(Problem::stopped().into());
         }
         let of_site = site.budget.as_ref().zip(costs.into_inner());
-        priced.extend(of_site.map(|(budget, rows)| (site.name.clone(), budget, rows)));
-        reports.push((site.name.clone(), report));
+        priced.extend(of_site.map(|(budget, priced)| PlannedSite {
+            name: site.name.clone(),
+            budget,
+            priced,
+        }));
+        reports.push(SiteReport {
+            site: site.name.clone(),
+            report,
+        });
     }
     let mut report = SitesReport::of(reports, target);
     let mut exposed = None;
     if let Some(first) = sites.first().filter(|_| !priced.is_empty()) {
-        let insured = sites
-            .iter()
-            .zip(&priced)
-            .map(|(site, (_, budget, priced))| {
-                let target = site.study.ground.code_spectrum();
-                let place = target.and_then(|target| target.place.as_ref());
-                InsuredSite {
-                    name: &site.name,
-                    at: place.and_then(|place| place.coordinates),
-                    terms: site.terms,
-                    budget,
-                    priced,
-                }
-            });
+        let insured = sites.iter().zip(&priced).map(|(site, planned)| {
+            let target = site.study.ground.code_spectrum();
+            let place = target.and_then(|target| target.place.as_ref());
+            InsuredSite {
+                name: &site.name,
+                at: place.and_then(|place| place.coordinates),
+                terms: site.terms,
+                budget: planned.budget,
+                priced: &planned.priced,
+            }
+        });
         let seed = first.study.assessment.seed;
         let insured: Vec<InsuredSite> = insured.collect();
         report = report.losing(losses_over_sites(&insured, run.insured, seed));

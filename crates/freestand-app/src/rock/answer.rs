@@ -6,6 +6,7 @@ use freestand_output::facts::Facts;
 use freestand_output::figure::{Figure, FigureError};
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
+use freestand_report::doubts::{Notes, history_doubt};
 use freestand_report::figures::{
     hull_figure, plane_slide_figure, rock_figure, slide_figure, spatial_figure, stack_figure,
     trace_figure,
@@ -26,15 +27,29 @@ use freestand_study::spatial::{
 };
 use freestand_study::{compliant, rock, sliding, spatial};
 use rayon::prelude::*;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use serde_json::{Map, Value, json};
 
 use super::resolve::{Asked, Meant};
 
+/// What an object did under a motion, and what its reader must know.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// What it did.
+    pub did: Did,
+    /// What its reader must know, where its model has such notes.
+    pub notes: Option<Notes>,
+}
+
+impl Serialize for Answer {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.facts().serialize(serializer)
+    }
+}
+
 /// What an object did under a motion, by the solver that followed it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum Answer {
+#[derive(Debug, Clone, PartialEq)]
+pub enum Did {
     /// On a rigid base.
     Rigid(Box<RockAnswer>),
     /// Sliding or rolling.
@@ -67,6 +82,9 @@ pub enum Results {
         /// The body, and how it is followed.
         #[serde(flatten)]
         set: Box<HullSetting>,
+        /// What its reader must know.
+        #[serde(flatten)]
+        notes: Notes,
         /// What it did under each.
         rows: Vec<Row>,
     },
@@ -107,6 +125,7 @@ impl Results {
         let rows = json!({"type": "array", "items": of_motion(&HullRun::properties())});
         kinds.push(Map::from_iter([("results".to_owned(), results)]));
         let mut of_several = HullSetting::properties();
+        of_several.extend(Notes::properties());
         of_several.insert("rows".to_owned(), rows);
         kinds.push(of_several);
         for kind in &mut kinds {
@@ -118,9 +137,20 @@ impl Results {
 
     /// Results, each with the name of its motion.
     pub fn of(mut answers: Vec<(String, Answer)>) -> Self {
-        if let [(_, Answer::Hull(first)), _, ..] = &answers[..] {
-            let row = |(motion, answer): &(String, Answer)| match answer {
-                Answer::Hull(answer) => Some(Row {
+        if let [
+            (
+                _,
+                Answer {
+                    did: Did::Hull(first),
+                    notes: Some(notes),
+                },
+            ),
+            _,
+            ..,
+        ] = &answers[..]
+        {
+            let row = |(motion, answer): &(String, Answer)| match &answer.did {
+                Did::Hull(answer) => Some(Row {
                     motion: motion.clone(),
                     run: answer.run.clone(),
                 }),
@@ -128,6 +158,7 @@ impl Results {
             };
             return Self::Rows {
                 set: Box::new(first.set.clone()),
+                notes: notes.clone(),
                 rows: answers.iter().filter_map(row).collect(),
             };
         }
@@ -241,30 +272,44 @@ impl Meant {
 impl Followed {
     /// What the object did.
     pub fn answer(&self) -> Answer {
-        match &self.done {
-            Done::Rigid(_, report) => Answer::Rigid(Box::new(report.answer.clone())),
-            Done::Slides(_, report) => Answer::Slides(Box::new(report.answer.clone())),
+        let (did, notes) = match &self.done {
+            Done::Rigid(_, report) => (
+                Did::Rigid(report.answer.clone().into()),
+                Some(&report.notes),
+            ),
+            Done::Slides(_, report) => (Did::Slides(report.answer.clone().into()), None),
             Done::SlidesInPlane(_, report) => {
-                Answer::SlidesInPlane(Box::new(report.answer.clone()))
+                (Did::SlidesInPlane(report.answer.clone().into()), None)
             }
-            Done::OnPads(_, report) => Answer::OnPads(Box::new(report.answer.clone())),
-            Done::InSpace(report) => Answer::InSpace(Box::new(report.answer.clone())),
-            Done::Stack(report) => Answer::Stack(Box::new(report.answer.clone())),
-            Done::Hull(_, report) => Answer::Hull(Box::new(report.answer.clone())),
+            Done::OnPads(_, report) => (Did::OnPads(report.answer.clone().into()), None),
+            Done::InSpace(report) => (
+                Did::InSpace(report.answer.clone().into()),
+                Some(&report.notes),
+            ),
+            Done::Stack(report) => (
+                Did::Stack(report.answer.clone().into()),
+                Some(&report.notes),
+            ),
+            Done::Hull(_, report) => (Did::Hull(report.answer.clone().into()), Some(&report.notes)),
+        };
+        Answer {
+            did,
+            notes: notes.map(|notes| Notes::of(notes)),
         }
     }
 
     /// Warnings about the validity of the result.
-    pub fn warnings(&self) -> &[String] {
-        match &self.done {
-            Done::Rigid(_, report) => &report.warnings,
-            Done::Slides(_, report) => &report.warnings,
-            Done::SlidesInPlane(_, report) => &report.warnings,
-            Done::OnPads(_, report) => &report.warnings,
-            Done::InSpace(report) => &report.warnings,
-            Done::Stack(report) => &report.warnings,
-            Done::Hull(_, report) => &report.warnings,
-        }
+    pub fn warnings(&self) -> Vec<String> {
+        let doubts = match &self.done {
+            Done::Rigid(_, report) => &report.doubts,
+            Done::Slides(_, report) => &report.doubts,
+            Done::SlidesInPlane(_, report) => &report.doubts,
+            Done::OnPads(_, report) => &report.doubts,
+            Done::InSpace(report) => &report.doubts,
+            Done::Stack(report) => &report.doubts,
+            Done::Hull(_, report) => &report.doubts,
+        };
+        doubts.iter().map(history_doubt).collect()
     }
 
     /// The columns and the rows of its history; no rows if it was not sampled.
@@ -383,27 +428,32 @@ impl Followed {
 impl Answer {
     /// The values of every kind of answer, each with its schema.
     pub fn kinds() -> [Map<String, Value>; 7] {
+        let noted = |mut answer: Map<String, Value>| {
+            answer.extend(Notes::properties());
+            answer
+        };
         [
-            RockAnswer::properties(),
+            noted(RockAnswer::properties()),
             SlideAnswer::properties(),
             PlaneSlideAnswer::properties(),
             PadAnswer::properties(),
-            SpatialAnswer::properties(),
-            StackAnswer::properties(),
-            HullAnswer::properties(),
+            noted(SpatialAnswer::properties()),
+            noted(StackAnswer::properties()),
+            noted(HullAnswer::properties()),
         ]
     }
 
     /// Its values with their labels.
     pub fn facts(&self) -> Facts<'static> {
-        match self {
-            Self::Rigid(answer) => answer.facts(),
-            Self::Slides(answer) => answer.facts(),
-            Self::SlidesInPlane(answer) => answer.facts(),
-            Self::OnPads(answer) => answer.facts(),
-            Self::InSpace(answer) => answer.facts(),
-            Self::Stack(answer) => answer.facts(),
-            Self::Hull(answer) => answer.facts(),
-        }
+        let did = match &self.did {
+            Did::Rigid(answer) => answer.facts(),
+            Did::Slides(answer) => answer.facts(),
+            Did::SlidesInPlane(answer) => answer.facts(),
+            Did::OnPads(answer) => answer.facts(),
+            Did::InSpace(answer) => answer.facts(),
+            Did::Stack(answer) => answer.facts(),
+            Did::Hull(answer) => answer.facts(),
+        };
+        did.and(self.notes.facts())
     }
 }

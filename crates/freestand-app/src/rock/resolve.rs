@@ -227,6 +227,14 @@ struct Reader<'r, 'w> {
     read: WordReader<'w>,
 }
 
+/// An object on its cushions.
+struct Supported {
+    mass_kg: f64,
+    /// How the cushion was read.
+    edge: EdgeCushion,
+    support: Support,
+}
+
 /// What every object has; `None` where it is missing or wrong.
 struct Object {
     size: Option<(f64, f64)>,
@@ -238,7 +246,11 @@ impl Question for Rock {
     type Meant = Meant;
 
     fn resolve(&self, files: &Files) -> Result<Meant, Problems> {
-        let (asked, named, second) = judged(self, files)?;
+        let Judged {
+            asked,
+            named,
+            second,
+        } = judged(self, files)?;
         let across = self.space.motion_y.as_ref().map(Written::text);
         let mut motions = named.read(second, across.as_deref())?;
         motions.inputs.extend(self.pad.input(files));
@@ -255,10 +267,15 @@ impl Question for Rock {
 }
 
 /// What a request means, with records that have not been read.
-fn judged<'f>(
-    request: &Rock,
-    files: &'f Files,
-) -> Result<(Asked, NamedRecords<'f>, Second), Problems> {
+struct Judged<'f> {
+    asked: Asked,
+    named: NamedRecords<'f>,
+    /// Where the second component is.
+    second: Second,
+}
+
+/// What a request means.
+fn judged<'f>(request: &Rock, files: &'f Files) -> Result<Judged<'f>, Problems> {
     let words = request.words();
     let mut reader = Reader {
         request,
@@ -286,7 +303,11 @@ fn judged<'f>(
         let (message, hint) = kind.refusal(key);
         read.note(&[key], message, hint);
     }
-    Ok((read.problems.finish(asked)?, named, second))
+    Ok(Judged {
+        asked: read.problems.finish(asked)?,
+        named,
+        second,
+    })
 }
 
 impl Reader<'_, '_> {
@@ -655,14 +676,18 @@ impl Reader<'_, '_> {
     }
 
     /// What an object in space or a stack stands on; `None` if something is missing or wrong.
-    fn support(&mut self, object: &Object) -> Option<(f64, EdgeCushion, Support)> {
+    fn support(&mut self, object: &Object) -> Option<Supported> {
         let (edge, base) = self.base(object)?;
         let support = Support {
             cushion: base.cushion,
             tangential_stiffness_ratio: base.tangential_stiffness_ratio,
             friction_ratio: base.friction_ratio,
         };
-        Some((base.mass_kg, edge, support))
+        Some(Supported {
+            mass_kg: base.mass_kg,
+            edge,
+            support,
+        })
     }
 
     fn in_space(&mut self, kind: Kind, object: &Object, is_still: bool) -> Option<Asked> {
@@ -693,7 +718,11 @@ impl Reader<'_, '_> {
             .and_then(|(height_m, thickness_m)| Block::uniform(height_m, thickness_m).ok());
         let (walls, wall) = walls::walls(&mut self.read, block.as_ref(), object.mass_kg, None);
         let damping_ratio = self.wall_damping();
-        let (mass_kg, edge, support) = support?;
+        let Supported {
+            mass_kg,
+            edge,
+            support,
+        } = support?;
         let wall_cushion = GivenCushion {
             stiffness_n_m: wall.stiffness_n_m,
             damping_ratio,
@@ -757,7 +786,11 @@ impl Reader<'_, '_> {
             self.nothing_moves("give `motion`");
         }
         let support = self.support(object);
-        let (lower_kg, edge, support) = support?;
+        let Supported {
+            mass_kg: lower_kg,
+            edge,
+            support,
+        } = support?;
         let cushion = interface(&edge.cushion, stiffness, lower_kg, mass?);
         let cushion = cushion.map_err(|problem| problem.of(&["interface_stiffness"]));
         let cushion = self.read.problems.keep(cushion);

@@ -15,6 +15,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::number;
+use freestand_study::doubt::UnlikelySize;
 use freestand_study::hull::{BodyInPose, Surface};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
@@ -23,7 +24,7 @@ use freestand_study::study::Study;
 use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
 use crate::two_spectra::{is_worse, spectrum_type};
-use crate::verdict::{Context, Member, Subject, assess_one, round_body};
+use crate::verdict::{AssessedOne, Context, Member, Subject, assess_one, round_body};
 pub use crate::verdict::{Follow, HULL_FRICTION_RATIO, Shown, ShownEarthquake, Tally, middle};
 pub use crate::worlds::Memory;
 use crate::worlds::Worlds;
@@ -209,8 +210,12 @@ pub struct ObjectResult<'r> {
     pub at_one: AtScale,
     /// The object under its motions at each scale that was asked for.
     pub scales: Vec<AtScale>,
-    /// What is doubtful about the study and the object.
-    pub warnings: Vec<String>,
+    /// What is doubtful about the study.
+    pub study_warnings: Vec<String>,
+    /// Its sizes that hardly any object has.
+    pub unlikely_sizes: Vec<UnlikelySize>,
+    /// What else is doubtful about it, as of a row of a list.
+    pub row_doubts: Vec<String>,
     /// What was given and changes nothing.
     pub unused: Vec<Unused>,
 }
@@ -305,7 +310,11 @@ fn in_study<'r>(
     let at = |scale_ratio: f64, follow| -> Result<(AtScale, Option<Shown>), Problems> {
         let worlds = worlds.at_intensity(scale_ratio);
         let context = Context::new(&shaken.study, worlds, 1, wants_to_stop);
-        let (found, tally, shown) = assess_one(&context, &member, follow)?;
+        let AssessedOne {
+            found,
+            tally,
+            shown,
+        } = assess_one(&context, &member, follow)?;
         let at = AtScale {
             scale_ratio,
             found,
@@ -323,8 +332,6 @@ fn in_study<'r>(
             scales.push(at(*scale, None)?.0);
         }
     }
-    let mut warnings = shaken.warnings;
-    warnings.extend(row.warnings);
     let result = ObjectResult {
         request,
         study: shaken.study,
@@ -332,7 +339,9 @@ fn in_study<'r>(
         item: row.item,
         at_one,
         scales,
-        warnings,
+        study_warnings: shaken.warnings,
+        unlikely_sizes: row.unlikely_sizes,
+        row_doubts: row.doubts,
         unused,
     };
     Ok((result, shown))

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::problem::{Problem, Problems};
+use freestand_study::doubt::UnlikelySize;
 use freestand_study::shape::Sizes;
 use freestand_study::study::{FirstFloor, Study};
 
@@ -18,8 +19,10 @@ pub(super) const ID: &str = "object";
 /// The object, as a list has it.
 pub(super) struct Row {
     pub(super) item: Item,
-    /// What is doubtful about it.
-    pub(super) warnings: Vec<String>,
+    /// Its sizes that hardly any object has.
+    pub(super) unlikely_sizes: Vec<UnlikelySize>,
+    /// What else is doubtful about it, as of a row of a list.
+    pub(super) doubts: Vec<String>,
 }
 
 /// The object of a request.
@@ -45,19 +48,20 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
     } = request.object;
     // In place of what a list says of such sizes, which asks for a cell to be confirmed: who gives one object
     // with its units means what is only unusual.
-    let mut warnings = Sizes {
+    let unlikely_sizes = Sizes {
         height_m,
         thickness_m,
         width_m,
     }
     .check()?;
+    let mut doubts = Vec::new();
     for finding in &findings {
         let problem = problem(finding, request, study);
         match finding.severity {
             Severity::Error => problems.push(problem),
             Severity::Doubt => {
                 let hint = problem.hint.unwrap_or_default();
-                warnings.push(format!("{}; {hint}", problem.message));
+                doubts.push(format!("{}; {hint}", problem.message));
             }
         }
     }
@@ -68,7 +72,11 @@ pub(super) fn row(request: &ObjectRequest, study: &Study) -> Result<Row, Problem
         let restitution = &mut item.surroundings.wall_restitution;
         *restitution = restitution.or(Some(DEFAULT_WALL_RESTITUTION_RATIO));
     }
-    Ok(Row { item, warnings })
+    Ok(Row {
+        item,
+        unlikely_sizes,
+        doubts,
+    })
 }
 
 /// The values of the object by the columns that a list has for them.
@@ -273,9 +281,13 @@ mod tests {
             }),
             ..Object::of_size(5.0 * third, third)
         };
-        let Row { item, warnings } = read(object).unwrap();
+        let Row {
+            item,
+            unlikely_sizes,
+            doubts,
+        } = read(object).unwrap();
         // It is below 0.3 g, and that is all.
-        assert_eq!(warnings.len(), 1, "{warnings:?}");
+        assert_eq!((unlikely_sizes.len(), doubts.len()), (0, 1), "{doubts:?}");
         let sizes = (item.height_m, item.thickness_m, item.width_m);
         assert_eq!(sizes, (Some(5.0 * third), Some(third), Some(2.0 * third)));
         let stiffness = item

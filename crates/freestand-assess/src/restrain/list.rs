@@ -6,8 +6,9 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::UnitSystem;
 
 use super::{
-    Anchors, Assumed, Case, Component, Doubt, ObjectKind, RestrainFactors, RestrainFloor,
-    RestrainHazard, RestrainRequest, assumed_hazard, case_of, floor_of_list, restrain,
+    Anchors, Case, Component, ObjectKind, RestrainFactors, RestrainFloor, RestrainHazard,
+    RestrainRequest, RestraintAssumption, RestraintDoubt, assumed_hazard, case_of, floor_of_list,
+    restrain,
 };
 use crate::restraint::ASSUMED_INSET_M;
 use freestand_inventory::library::Libraries;
@@ -49,13 +50,13 @@ pub struct HeldList {
     /// The units of the texts.
     pub units: UnitSystem,
     /// What was not stated about the hazard.
-    pub assumptions: Vec<Assumed>,
+    pub assumptions: Vec<RestraintAssumption>,
     /// What is wrong or doubtful in the list, by cell.
     pub findings: Vec<Finding>,
     /// The same of the list as a whole.
     pub warnings: Vec<String>,
     /// What there is to know beside the forces, once each.
-    pub doubts: Vec<Doubt>,
+    pub doubts: Vec<RestraintDoubt>,
 }
 
 /// An object of the list: its force, or the reason why it has none.
@@ -192,9 +193,9 @@ pub fn restrain_list(request: &RestrainListRequest) -> Result<HeldList, Problems
     let of_building = probe
         .assumptions
         .iter()
-        .filter(|one| **one == Assumed::StoreyHeight);
+        .filter(|one| **one == RestraintAssumption::StoreyHeight);
     assumptions.extend(of_building.cloned());
-    assumptions.extend((!has_inset).then_some(Assumed::Insets(ASSUMED_INSET_M)));
+    assumptions.extend((!has_inset).then_some(RestraintAssumption::Insets(ASSUMED_INSET_M)));
     let mut held = HeldList {
         objects: Vec::new(),
         anchors: request.anchors.clone(),

@@ -18,6 +18,7 @@ use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::{UnitSystem, shorten};
 use freestand_study::building::{DEFAULT_STOREY_HEIGHT_M, MAX_STOREYS};
+use freestand_study::doubt::UnlikelySize;
 use freestand_study::places::Place;
 use freestand_study::shape::{Shape, Sizes};
 use freestand_study::study::Study;
@@ -200,9 +201,9 @@ pub struct Case {
     /// Where it stands.
     pub floor: StandsOn,
     /// What was not stated, and stands in its place.
-    pub assumptions: Vec<Assumed>,
+    pub assumptions: Vec<RestraintAssumption>,
     /// What there is to know beside it.
-    pub doubts: Vec<Doubt>,
+    pub doubts: Vec<RestraintDoubt>,
     /// The force that counts.
     pub own: Demand,
     /// The forces by other codes.
@@ -240,7 +241,7 @@ impl StandsOn {
 
 /// What nobody stated, and what stands in its place.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Assumed {
+pub enum RestraintAssumption {
     /// It stands on the ground.
     Ground,
     /// A storey has [`DEFAULT_STOREY_HEIGHT_M`].
@@ -262,9 +263,11 @@ pub enum Assumed {
 
 /// What there is to know beside a force.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Doubt {
-    /// What the hazard, the place or the sizes of the object make doubtful.
-    Input(String),
+pub enum RestraintDoubt {
+    /// What is doubtful about the hazard or the place.
+    Hazard(String),
+    /// A size that hardly any object has.
+    Size(UnlikelySize),
     /// A key that says something about long periods alone.
     NoEffect(&'static str),
     /// The component is a row of the tables of ASCE 7, and this gives the force.
@@ -372,13 +375,13 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         assumptions.extend(assumed_hazard(words, target));
     }
     if request.cg_height_m.is_none() {
-        assumptions.push(Assumed::CgHeight);
+        assumptions.push(RestraintAssumption::CgHeight);
     }
     if request.width_m.is_none() {
-        assumptions.push(Assumed::NoWidth);
+        assumptions.push(RestraintAssumption::NoWidth);
     }
     if let (None, Some(axis)) = (question.settings.anchor_inset_m, &own.axis) {
-        assumptions.push(Assumed::Inset(axis.inset_m(None)));
+        assumptions.push(RestraintAssumption::Inset(axis.inset_m(None)));
     }
     let of_hazard: Vec<String> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
@@ -393,13 +396,13 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
             .flat_map(|target| target.warnings.iter().cloned())
             .collect(),
     };
-    let mut doubts: Vec<Doubt> = of_hazard
+    let mut doubts: Vec<RestraintDoubt> = of_hazard
         .into_iter()
-        .chain(of_sizes)
-        .map(Doubt::Input)
+        .map(RestraintDoubt::Hazard)
+        .chain(of_sizes.into_iter().map(RestraintDoubt::Size))
         .collect();
     if let (RestrainHazard::Code(words), Some(target)) = (&request.hazard, &target) {
-        doubts.extend(idle(words, target).map(Doubt::NoEffect));
+        doubts.extend(idle(words, target).map(RestraintDoubt::NoEffect));
     }
     if request.component.is_some()
         && !request.is_compared
@@ -410,10 +413,10 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         let by = target
             .as_ref()
             .map_or("F = m a", |target| target.spectrum.name());
-        doubts.push(Doubt::ComponentUnused(by));
+        doubts.push(RestraintDoubt::ComponentUnused(by));
     }
     if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
-        doubts.push(Doubt::NoTension);
+        doubts.push(RestraintDoubt::NoTension);
     }
     let others = if request.is_compared {
         others
@@ -619,7 +622,7 @@ fn check_factors(request: &RestrainRequest, target: Option<&Target>, problems: &
 struct Floor {
     on: StandsOn,
     building_height_m: Option<f64>,
-    assumptions: Vec<Assumed>,
+    assumptions: Vec<RestraintAssumption>,
 }
 
 fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
@@ -713,12 +716,12 @@ fn floor(request: &RestrainRequest) -> Result<Floor, Problems> {
             StandsOn::Accelerated
         }
         (None, None) => {
-            assumptions.push(Assumed::Ground);
+            assumptions.push(RestraintAssumption::Ground);
             StandsOn::Ground
         }
     };
     if storeys.is_some() && storey_height_m.is_none() {
-        assumptions.push(Assumed::StoreyHeight);
+        assumptions.push(RestraintAssumption::StoreyHeight);
     }
     let building_height_m =
         storeys.map(|storeys| storeys as f64 * storey_height_m.unwrap_or(DEFAULT_STOREY_HEIGHT_M));
@@ -752,16 +755,16 @@ fn floor_of_list(hazard: &RestrainHazard, floor: &RestrainFloor) -> Result<Floor
 }
 
 /// What the code of flags assumes about the site.
-fn assumed_hazard(words: &Words, target: &Target) -> Vec<Assumed> {
+fn assumed_hazard(words: &Words, target: &Target) -> Vec<RestraintAssumption> {
     let mut assumed = Vec::new();
     if let (None, Some(site)) = (words.get("site"), target.spectrum.site_name()) {
-        assumed.push(Assumed::Site(site));
+        assumed.push(RestraintAssumption::Site(site));
     }
     if let (None, Some(years)) = (
         words.get("return_period_years"),
         target.return_period_years(),
     ) {
-        assumed.push(Assumed::ReturnPeriod(years));
+        assumed.push(RestraintAssumption::ReturnPeriod(years));
     }
     assumed
 }

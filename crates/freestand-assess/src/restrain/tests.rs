@@ -168,7 +168,7 @@ fn anchors_inside_the_edge_have_a_shorter_lever() {
     near(number_of(&assumed, "anchor_inset_m"), 0.075);
     assert_eq!(
         assumed.assumptions.last(),
-        Some(&Assumed::Inset(0.075)),
+        Some(&RestraintAssumption::Inset(0.075)),
         "{:?}",
         assumed.assumptions
     );
@@ -457,7 +457,7 @@ fn asce_7_22_by_hand() {
     };
     near(number_of(&at(Some(0.5)), "force_ratio"), 1.056);
     near(number_of(&at(None), "force_ratio"), 0.704);
-    assert!(at(None).assumptions.contains(&Assumed::Ground));
+    assert!(at(None).assumptions.contains(&RestraintAssumption::Ground));
 }
 
 /// AS 1170.4, Z = 0.11 (600 years do not matter: 500), class Ce: Ch(0) = 1.3, kpZ Ch(0) = 0.143 g.
@@ -563,7 +563,7 @@ fn a_floor_acceleration_by_hand() {
     near(number_of(&report, "anchor_tension_n") / WEIGHT_N, 1.275);
     assert_eq!(clause_of(&report), (None, "F = m a"));
     assert_eq!(report.floor, StandsOn::Accelerated);
-    assert!(!report.assumptions.contains(&Assumed::Ground));
+    assert!(!report.assumptions.contains(&RestraintAssumption::Ground));
 }
 
 /// Other codes are shown where they are asked for.
@@ -703,12 +703,12 @@ fn bad_requests_say_what_is_wrong() {
     assert!(sized(1.8e6).contains("no object has 1800000 m"));
     let told = restrain(cabinet(melbourne(), None)).unwrap().doubts;
     assert!(
-        matches!(told[..], [Doubt::ComponentUnused(by), ..] if by.starts_with("AS 1170.4")),
+        matches!(told[..], [RestraintDoubt::ComponentUnused(by), ..] if by.starts_with("AS 1170.4")),
         "{told:?}"
     );
     let of_a_spectrum = code(&[("code", "asce7"), ("sds", "1 g"), ("sd1", "0.6 g")]);
     let told = restrain(cabinet(of_a_spectrum, None)).unwrap().doubts;
-    assert!(told.contains(&Doubt::NoEffect("sd1")), "{told:?}");
+    assert!(told.contains(&RestraintDoubt::NoEffect("sd1")), "{told:?}");
     let newer = code(&[("code", "asce7"), ("sds", "1 g")]);
     let factors = RestrainFactors {
         response_ratio: Some(2.5),

@@ -247,13 +247,22 @@ fn so_far(context: &Context, trial: &Trial) -> Result<Assessment, Problems> {
     Ok(found)
 }
 
-/// The assessment of one object, the same as in a list, with what its worlds add up to, and some of
-/// its earthquakes where one is followed.
+/// What became of one object that is asked alone.
+pub(crate) struct AssessedOne {
+    /// The same as in a list.
+    pub(crate) found: Assessment,
+    /// What its worlds add up to.
+    pub(crate) tally: Tally,
+    /// Some of its earthquakes, where one is followed.
+    pub(crate) shown: Option<Shown>,
+}
+
+/// The assessment of one object.
 pub(crate) fn assess_one(
     context: &Context,
     member: &Member,
     follow: Option<&Follow>,
-) -> Result<(Assessment, Tally, Option<Shown>), Problems> {
+) -> Result<AssessedOne, Problems> {
     let mut trials = trials(context, std::slice::from_ref(member));
     lived(context, &mut trials)?;
     let nothing = || Problem::new(ProblemKind::Computation, "the object was not assessed");
@@ -263,11 +272,11 @@ pub(crate) fn assess_one(
         .map(|follow| followed::shown(context, trial, follow))
         .transpose()?
         .flatten();
-    Ok((
-        assessed(context, &trials)?.pop().ok_or_else(nothing)?,
+    Ok(AssessedOne {
+        found: assessed(context, &trials)?.pop().ok_or_else(nothing)?,
         tally,
         shown,
-    ))
+    })
 }
 
 /// Objects before their first world.

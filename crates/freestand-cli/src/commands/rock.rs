@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use freestand_app::rock::{Answer, Asked, Meant, Results, Rock, SCHEMA};
+use freestand_app::rock::{Asked, Did, Meant, Results, Rock, SCHEMA};
 use freestand_output::answer::Answer as _;
 use freestand_report::rocking::{Moves, followed_text};
 use freestand_report::table::lines;
@@ -124,8 +124,8 @@ impl Tell for Rock {
             {
                 files.drawn(figure_name, &figure)?;
             }
-            let told = followed.warnings().iter().map(|warning| match count {
-                1 => warning.clone(),
+            let told = followed.warnings().into_iter().map(|warning| match count {
+                1 => warning,
                 _ => format!("{name}: {warning}"),
             });
             warnings.extend(told);
@@ -148,19 +148,19 @@ fn text(results: &Results) -> String {
     match results {
         Results::One(answer) => lines(&answer.facts()),
         Results::Each { results } => {
-            let first = results.first().map(|one| &one.answer);
+            let first = results.first().map(|one| &one.answer.did);
             let moves = match first {
-                Some(Answer::Slides(_)) => Moves::Slides,
-                Some(Answer::SlidesInPlane(_)) => Moves::SlidesInPlane,
+                Some(Did::Slides(_)) => Moves::Slides,
+                Some(Did::SlidesInPlane(_)) => Moves::SlidesInPlane,
                 _ => Moves::Rocks,
             };
             let each = results.iter();
             followed_text(each.map(|one| (&*one.motion, one.answer.facts())), moves)
         }
-        Results::Rows { set, rows } => {
+        Results::Rows { set, notes, rows } => {
             let each = rows.iter().map(|row| (&*row.motion, row.run.facts()));
             let rows = followed_text(each, Moves::OnHull);
-            format!("{}\n\n{rows}", lines(&set.facts()))
+            format!("{}\n\n{rows}", lines(&set.facts().and(notes.facts())))
         }
     }
 }

@@ -8,6 +8,7 @@ use freestand::respond::{HistoryOptions, RigidHistory};
 use freestand::rocking::Base;
 use freestand_app::spectrum::{Meant, Others, SCHEMA, Spectrum};
 use freestand_assess::one_object::Follow;
+use freestand_report::doubts::spectrum_doubt;
 use freestand_report::spectrum::Seen;
 use freestand_study::at_place::LastGround;
 use freestand_study::drawn::{DrawnHistory, drawn};
@@ -101,7 +102,7 @@ impl Tell for Spectrum {
         bar.finish_and_clear();
         let timing = solved?;
 
-        warnings.extend(request.warnings(&seen.tallies));
+        warnings.extend(request.doubts(&seen.tallies).iter().map(spectrum_doubt));
         let failed = seen.tallies.iter().any(|tally| tally.failed > 0);
         let place = paths
             .0

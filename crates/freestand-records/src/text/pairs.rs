@@ -101,6 +101,14 @@ fn by_points(line: &[u8]) -> Option<Vec<Number>> {
         .collect()
 }
 
+/// The samples of a record at even steps.
+pub(crate) struct Even {
+    pub(crate) dt_s: f64,
+    pub(crate) values: Vec<f64>,
+    /// How they were interpolated.
+    pub(crate) note: Option<Note>,
+}
+
 impl Pairs {
     /// The values at equal steps \[s\]: unchanged where the times are equally spaced, else
     /// interpolated on straight lines between the points. The step is then `asked_s`, or the
@@ -113,9 +121,15 @@ impl Pairs {
         name: &str,
         asked_s: Option<f64>,
         room: usize,
-    ) -> Result<(f64, Vec<f64>, Option<Note>), Problem> {
+    ) -> Result<Even, Problem> {
         let uneven = match time_step(&self.times_s, self.last_digit_exponent) {
-            Ok(dt_s) => return Ok((dt_s, self.values, None)),
+            Ok(dt_s) => {
+                return Ok(Even {
+                    dt_s,
+                    values: self.values,
+                    note: None,
+                });
+            }
             Err(uneven) => uneven,
         };
         if self.times_s.len() < 2 {
@@ -140,11 +154,11 @@ impl Pairs {
         let words = format!(
             "{points} points at uneven times were interpolated on straight lines to steps of {dt_s} s"
         );
-        Ok((
+        Ok(Even {
             dt_s,
             values,
-            Some(Note::of(name, NoteKind::Interpolated, words)),
-        ))
+            note: Some(Note::of(name, NoteKind::Interpolated, words)),
+        })
     }
 
     fn problem(&self, uneven: Uneven) -> Problem {
@@ -178,7 +192,7 @@ mod tests {
     #[test]
     fn uneven_points_are_straight_lines() {
         let pairs = |text: &str| read(&mut lines(text.as_bytes())).unwrap();
-        let (dt_s, values, note) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
+        let Even { dt_s, values, note } = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
             .evenly("up", None, 1000)
             .unwrap();
         // The common step of 20 ms and 50 ms is 10 ms. Rounding of one product and one sum.
@@ -187,11 +201,11 @@ mod tests {
             assert!((found - expected).abs() < 1e-14);
         }
         assert!(note.unwrap().to_string().contains("3 points"));
-        let (dt_s, values, note) = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n")
+        let Even { dt_s, values, note } = pairs("0.010 1.0 0.020 3.0 0.030 0.0\n")
             .evenly("up", None, 1000)
             .unwrap();
         assert_eq!((dt_s, values, note), (0.01, vec![1.0, 3.0, 0.0], None));
-        let (dt_s, values, _) = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
+        let Even { dt_s, values, .. } = pairs("0.000 1.0 0.020 3.0 0.050 0.0\n")
             .evenly("up", Some(0.025), 1000)
             .unwrap();
         assert_eq!((dt_s, values.len()), (0.025, 3));

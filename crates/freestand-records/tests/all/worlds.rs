@@ -16,7 +16,8 @@ use freestand::motion::Motion;
 use freestand::rocking::{Base, Outcome, RockingOptions, Until, rock_many};
 use freestand::synthesis::{QuickMatcher, SynthesisOptions};
 use freestand::worlds::{
-    Component, GroundSpread, Group, SpreadOptions, place_among, world_motion, world_stream,
+    Component, GroundSpread, Group, SpreadOptions, WorldDraw, place_among, world_motion,
+    world_stream,
 };
 use rayon::prelude::*;
 
@@ -127,7 +128,18 @@ fn how_often_blocks_fall_in_worlds_and_under_records() {
         .map(|world| {
             let spectra = spread.spectra(1, world, 0);
             let pair = [Component::X, Component::Y].map(|component| {
-                world_motion(code, &spectra, component, (1, world, 0), &matcher).unwrap()
+                world_motion(
+                    code,
+                    &spectra,
+                    component,
+                    WorldDraw {
+                        seed: 1,
+                        world,
+                        repetition: 0,
+                    },
+                    &matcher,
+                )
+                .unwrap()
             });
             falls(&pair, 1.0, &blocks, &building)
         })

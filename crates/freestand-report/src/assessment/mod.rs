@@ -46,7 +46,7 @@ pub use plan::{ALTERNATIVES_NAME, PLAN_NAME};
 pub use rows::JsonRows;
 pub use rows::{object_rows, row_schema};
 pub use since::{CHANGES_NAME, Earlier, Since};
-pub use sites::{SHARED_NAMES, SITES_NAME, SitesReport, sites_text, write_sites};
+pub use sites::{SHARED_NAMES, SITES_NAME, SiteReport, SitesReport, sites_text, write_sites};
 pub use text::{assessment_text, missing_text, plan_text, quoted};
 pub use told::{JobReport, PlanReport, said};
 pub use worklist::WORKLIST_NAME;

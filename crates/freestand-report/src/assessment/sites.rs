@@ -89,18 +89,15 @@ answer! {
 
 impl SitesReport {
     /// Of these sites, before there is a plan or a file.
-    pub fn of(sites: Vec<(String, JobReport)>, out: &Path) -> Self {
+    pub fn of(sites: Vec<SiteReport>, out: &Path) -> Self {
         let count = |one: Decision| {
-            let all = sites.iter().map(|(_, report)| report.count(one) as usize);
+            let all = sites.iter().map(|site| site.report.count(one) as usize);
             (one.name(), all.sum())
         };
         Self {
-            objects: sites.iter().map(|(_, report)| report.objects).sum(),
+            objects: sites.iter().map(|site| site.report.objects).sum(),
             decisions: ByName(Decision::ALL.map(count).into()),
-            sites: sites
-                .into_iter()
-                .map(|(site, report)| SiteReport { site, report })
-                .collect(),
+            sites,
             budget: None,
             plan: None,
             plan_alternatives: None,

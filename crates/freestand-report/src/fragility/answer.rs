@@ -59,7 +59,10 @@ impl<'r> OfObject<'r> {
     fn crossing(&self) -> Option<f64> {
         let levels = self.object.outcomes.levels();
         let (from, to) = levels.first().zip(levels.last())?;
-        self.object.fit.crossing(*from, *to).map(|(_, _, x)| x)
+        self.object
+            .fit
+            .crossing(*from, *to)
+            .map(|found| found.intensity)
     }
 }
 

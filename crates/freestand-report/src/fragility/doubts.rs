@@ -1,6 +1,6 @@
 //! What there is to know beside fragilities, hazards and costs, in sentences.
 
-use freestand::fragility::NoInterval;
+use freestand::fragility::{Crossing, NoInterval};
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, significant, some};
 use freestand_risk::costs::CostDoubt;
@@ -105,11 +105,10 @@ fn fit_doubt(doubt: &FitDoubt) -> String {
                 counted(*runs, "run")
             )
         }
-        FitDoubt::Crossing {
-            one,
-            other,
+        FitDoubt::Crossing(Crossing {
+            states: [one, other],
             intensity,
-        } => format!(
+        }) => format!(
             "the curves of {} and {} cross at {}, beyond which the more severe state would be the more probable \
              one: use `fit = \"ordered\"`",
             one.name(),

@@ -20,6 +20,7 @@ use super::answer::OfObject;
 use super::curves::curves_text;
 use super::doubts::{curve_doubts, hazard_doubt};
 use crate::assessment::{JobReport, head, said};
+use crate::doubts::unlikely_size;
 use crate::table::{Column, facts_table};
 
 /// How many objects that were left out are named.
@@ -97,9 +98,11 @@ impl<'r> RunsAnswer<'r> {
         }
         warnings.extend(self.runs.hazard_doubts().map(|doubt| hazard_doubt(&doubt)));
         if let RunObjects::Given(object) = &self.runs.request.objects {
-            warnings.extend(Sizes::of(&object.block).doubts());
+            let sizes = Sizes::of(&object.block).doubts();
+            warnings.extend(sizes.iter().map(unlikely_size));
             let body = object.body.iter();
-            warnings.extend(body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg)));
+            let doubts = body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg));
+            warnings.extend(doubts.map(|doubt| doubt.to_string()));
         }
         warnings
     }

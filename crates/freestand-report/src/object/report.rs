@@ -5,7 +5,7 @@ use freestand::rocking::Restitution;
 use freestand::wall::DEFAULT_WALL_RESTITUTION_RATIO;
 use freestand_input::words::{counted, number, percent_significant};
 use freestand_output::{answer, answer_of};
-use freestand_study::hull::{BodyAnswer, narrow_base_warning};
+use freestand_study::hull::BodyAnswer;
 use freestand_study::places::Place;
 use freestand_study::result::Ranked;
 use freestand_study::sliding::DEFAULT_ROLLING_RESISTANCE;
@@ -15,6 +15,7 @@ use freestand_study::target::Target;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
 use crate::assessment::words::too_mild;
+use crate::doubts::{narrow_base, turned, unlikely_size};
 use crate::near_fault::near_fault_words;
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, HULL_FRICTION_RATIO, NamedEarthquake, ObjectRequest,
@@ -69,9 +70,13 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         item,
         at_one: AtScale { found, tally, .. },
         scales,
-        mut warnings,
+        study_warnings: mut warnings,
+        unlikely_sizes,
+        row_doubts,
         unused,
     } = result;
+    warnings.extend(unlikely_sizes.iter().map(unlikely_size));
+    warnings.extend(row_doubts);
     warnings.extend(unused.into_iter().map(|one| has_no_effect(one).to_owned()));
     let counts = counts(&found, &tally, &request.object.surroundings);
     let withstands = request.object.tolerance.map(|one| Withstands {
@@ -102,7 +107,7 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
     warnings.extend(doubts(&found, is_given));
     let body = request.object.body.as_ref();
     let narrow = body.and_then(|body| body.narrow_base());
-    warnings.extend(narrow.map(narrow_base_warning));
+    warnings.extend(narrow.as_ref().map(narrow_base));
     if !is_given
         && found
             .answers
@@ -593,7 +598,8 @@ fn assumptions(
              in tests of two rocks: the upper end of the probability is 8 % or more; no shock is calculated"
                 .to_owned(),
         );
-        said.extend(object.body.as_ref().and_then(|body| body.turned_words()));
+        let body = object.body.as_ref();
+        said.extend(body.and_then(|body| body.turned_rad()).map(turned));
     } else if object.rests_on.is_none() || object.mass_kg.is_none() {
         said.push("a rigid floor: without mass and pads no shock is calculated".to_owned());
     } else {

@@ -15,7 +15,7 @@ use super::words::{
     factor_words, floor_words, limits_words, provenance, tension_formula, tension_words,
     to_confirm, utilisation_words,
 };
-use freestand_assess::restrain::{Case, Doubt, HeldItem};
+use freestand_assess::restrain::{Case, HeldItem, RestraintDoubt};
 use freestand_assess::restraint::Demand;
 use freestand_study::target::Target;
 
@@ -238,7 +238,7 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
         .chain(doubt.map(|doubt| sentence(&doubt)))
         .collect();
     notes.extend(assumptions(case));
-    let lifts_nothing = case.doubts.contains(&Doubt::NoTension);
+    let lifts_nothing = case.doubts.contains(&RestraintDoubt::NoTension);
     notes.extend(lifts_nothing.then(|| sentence(NO_TENSION)));
     notes.extend(own.source.remarks.iter().cloned());
     notes.push(

@@ -1,8 +1,9 @@
 use crate::signature::Signing;
 use calamine::{Data, DataType as _, Reader as _, Xlsx};
 use freestand_assess::restrain::{
-    Anchor, Anchors, Assumed, Doubt, Missing, NotHeld, Pivot, RestrainFactors, RestrainFloor,
-    RestrainHazard, RestrainListRequest, RestrainRequest, StandsOn, restrain, restrain_list,
+    Anchor, Anchors, Missing, NotHeld, Pivot, RestrainFactors, RestrainFloor, RestrainHazard,
+    RestrainListRequest, RestrainRequest, RestraintAssumption, RestraintDoubt, StandsOn, restrain,
+    restrain_list,
 };
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
@@ -205,14 +206,14 @@ fn every_sentence() {
     .map(floor_words)
     .collect();
     let assumed = [
-        Assumed::Ground,
-        Assumed::StoreyHeight,
-        Assumed::Site("Ce"),
-        Assumed::ReturnPeriod(500),
-        Assumed::CgHeight,
-        Assumed::NoWidth,
-        Assumed::Inset(0.075),
-        Assumed::Insets(0.075),
+        RestraintAssumption::Ground,
+        RestraintAssumption::StoreyHeight,
+        RestraintAssumption::Site("Ce"),
+        RestraintAssumption::ReturnPeriod(500),
+        RestraintAssumption::CgHeight,
+        RestraintAssumption::NoWidth,
+        RestraintAssumption::Inset(0.075),
+        RestraintAssumption::Insets(0.075),
     ];
     all.extend(
         assumed
@@ -220,9 +221,9 @@ fn every_sentence() {
             .map(|one| assumption(one, UnitSystem::Si, 1.15)),
     );
     let doubts = [
-        Doubt::NoEffect("sd1"),
-        Doubt::ComponentUnused("AS 1170.4"),
-        Doubt::NoTension,
+        RestraintDoubt::NoEffect("sd1"),
+        RestraintDoubt::ComponentUnused("AS 1170.4"),
+        RestraintDoubt::NoTension,
     ];
     all.extend(doubts.iter().map(doubt_words));
     let refused = Problem::value("its height is not that of an object", "correct it");

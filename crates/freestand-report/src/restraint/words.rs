@@ -4,12 +4,16 @@ use freestand::code_spectrum::part_forces::Governing;
 use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, listed, number};
 
-use freestand_assess::restrain::{Anchor, Assumed, Case, Doubt, NotHeld, Pivot, StandsOn};
+use freestand_assess::restrain::{
+    Anchor, Case, NotHeld, Pivot, RestraintAssumption, RestraintDoubt, StandsOn,
+};
 use freestand_assess::restraint::Demand;
 use freestand_assess::restraint::factor::Factor;
 use freestand_assess::restraint::sources::Unread;
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::target::Target;
+
+use crate::doubts::unlikely_size;
 
 /// Where an object stands: its floor, its height over that of the building; empty where the given
 /// acceleration is that of its floor.
@@ -40,30 +44,38 @@ pub(super) fn assumptions(case: &Case) -> Vec<String> {
 }
 
 /// What was assumed, as a sentence.
-pub(super) fn assumption(assumed: &Assumed, units: UnitSystem, cg_height_m: f64) -> String {
+pub(super) fn assumption(
+    assumed: &RestraintAssumption,
+    units: UnitSystem,
+    cg_height_m: f64,
+) -> String {
     match assumed {
-        Assumed::Ground => "No floor was given: the object is on the ground.".to_owned(),
-        Assumed::StoreyHeight => {
+        RestraintAssumption::Ground => {
+            "No floor was given: the object is on the ground.".to_owned()
+        }
+        RestraintAssumption::StoreyHeight => {
             format!(
                 "A storey is {} high.",
                 units.storey(DEFAULT_STOREY_HEIGHT_M)
             )
         }
-        Assumed::Site(site) => format!("The site was not given: class {site}."),
-        Assumed::ReturnPeriod(years) => format!("The return period was not given: {years} years."),
-        Assumed::CgHeight => format!(
+        RestraintAssumption::Site(site) => format!("The site was not given: class {site}."),
+        RestraintAssumption::ReturnPeriod(years) => {
+            format!("The return period was not given: {years} years.")
+        }
+        RestraintAssumption::CgHeight => format!(
             "The centre of gravity is at half of the height, {}.",
             units.length(cg_height_m)
         ),
-        Assumed::NoWidth => {
+        RestraintAssumption::NoWidth => {
             "No width was given: only tipping across the thickness is checked.".to_owned()
         }
-        Assumed::Insets(inset_m) => format!(
+        RestraintAssumption::Insets(inset_m) => format!(
             "The anchors of each object stand {} inside the edge that they hold down, or a quarter of the side where that is \
              less: measure them, and give `anchor_inset`.",
             units.length(*inset_m)
         ),
-        Assumed::Inset(inset_m) => format!(
+        RestraintAssumption::Inset(inset_m) => format!(
             "The anchors stand {} inside the edge that they hold down: measure it, and give `anchor_inset`.",
             units.length(*inset_m)
         ),
@@ -76,16 +88,17 @@ pub(super) const NO_TENSION: &str = "No tension does not mean that the object st
                           freestand assess simulates that";
 
 /// What there is to know beside a force.
-pub(super) fn doubt_words(doubt: &Doubt) -> String {
+pub(super) fn doubt_words(doubt: &RestraintDoubt) -> String {
     match doubt {
-        Doubt::Input(words) => words.clone(),
-        Doubt::NoEffect(key) => format!(
+        RestraintDoubt::Hazard(words) => words.clone(),
+        RestraintDoubt::Size(size) => unlikely_size(size),
+        RestraintDoubt::NoEffect(key) => format!(
             "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"
         ),
-        Doubt::ComponentUnused(by) => {
+        RestraintDoubt::ComponentUnused(by) => {
             format!("`component` is not used by {by}: its factors are the same for every object")
         }
-        Doubt::NoTension => NO_TENSION.to_owned(),
+        RestraintDoubt::NoTension => NO_TENSION.to_owned(),
     }
 }
 

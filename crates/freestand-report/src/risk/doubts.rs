@@ -4,7 +4,7 @@ use freestand::risk::Gap;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant, some};
 use freestand_risk::RiskReport;
-use freestand_risk::doubts::{Assumed, Doubt, NoPortfolio, OpenOptions};
+use freestand_risk::doubts::{NoPortfolio, OpenOptions, RiskAssumption, RiskDoubt};
 use freestand_risk::fragility::{Measure, MeasuredHazard};
 
 use super::words::why_unjudged;
@@ -31,31 +31,33 @@ pub(super) fn assumptions(report: &RiskReport) -> Vec<String> {
     vec![format!("Assumed, because nobody stated it: {all}.")]
 }
 
-fn assumed(assumed: Assumed, hazard: &MeasuredHazard) -> String {
+fn assumed(assumed: RiskAssumption, hazard: &MeasuredHazard) -> String {
     let are = |count: usize| if count == 1 { "is" } else { "are" };
     match assumed {
-        Assumed::Years(years) => format!("chances are those in {} years", number(years, 4)),
-        Assumed::OneDispersion => {
+        RiskAssumption::Years(years) => format!("chances are those in {} years", number(years, 4)),
+        RiskAssumption::OneDispersion => {
             "the limit states of an object are fitted with one dispersion".to_owned()
         }
-        Assumed::Replicates(samples) => {
+        RiskAssumption::Replicates(samples) => {
             format!("intervals come from {samples} samples of motions")
         }
-        Assumed::Place => format!(
+        RiskAssumption::Place => format!(
             "{} is that of the {}",
             hazard.measure.name(),
             hazard.at.name()
         ),
-        Assumed::HazardGoesOn => {
+        RiskAssumption::HazardGoesOn => {
             "above its last point the hazard goes on as between the last two".to_owned()
         }
-        Assumed::NothingAccepted => "no rate is accepted, so that there is no verdict".to_owned(),
-        Assumed::OneOfEach(objects) => format!(
+        RiskAssumption::NothingAccepted => {
+            "no rate is accepted, so that there is no verdict".to_owned()
+        }
+        RiskAssumption::OneOfEach(objects) => format!(
             "{} without a quantity {} counted once",
             counted(objects, "object"),
             are(objects)
         ),
-        Assumed::PaidOnce(options) => format!(
+        RiskAssumption::PaidOnce(options) => format!(
             "{} without a life {} paid for once",
             counted(options, "option"),
             are(options)
@@ -74,18 +76,18 @@ fn intensity(measure: Measure, value: f64) -> String {
     measure.value_words(format!("{value:.3e}").parse().unwrap_or(value))
 }
 
-fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
+fn sentences(doubt: &RiskDoubt, measure: Measure) -> Vec<String> {
     vec![match doubt {
-        Doubt::Curves(doubts) => return curve_doubts(doubts),
-        Doubt::Hazard(doubt) => hazard_doubt(doubt),
-        Doubt::Cost(doubt) => cost_doubt(doubt),
-        Doubt::BeginsTooHigh { first: begin, ids } => format!(
+        RiskDoubt::Curves(doubts) => return curve_doubts(doubts),
+        RiskDoubt::Hazard(doubt) => hazard_doubt(doubt),
+        RiskDoubt::Cost(doubt) => cost_doubt(doubt),
+        RiskDoubt::BeginsTooHigh { first: begin, ids } => format!(
             "the hazard curve begins at {}, but weaker motions also reach limit states of {}: their rates are at \
              least those stated; give a hazard curve that begins at a lower intensity",
             intensity(measure, *begin),
             first(ids)
         ),
-        Doubt::EndsTooLow { last, share, ids } => format!(
+        RiskDoubt::EndsTooLow { last, share, ids } => format!(
             "the hazard curve ends at {}, and stronger motions cause up to {} of a rate of {}: the slope of the last \
              two points was continued, and the upper bound of the rate is that of motions which are all as strong as \
              any; give a hazard curve up to stronger motions",
@@ -93,29 +95,29 @@ fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
             percent_significant(*share, 2),
             first(ids)
         ),
-        Doubt::NotResolved { gap, ids } => not_resolved(*gap, ids, measure),
-        Doubt::WouldTell { from, to, count } => format!(
+        RiskDoubt::NotResolved { gap, ids } => not_resolved(*gap, ids, measure),
+        RiskDoubt::WouldTell { from, to, count } => format!(
             "runs at these intensities would probably tell these rates: `scales = \"{}:{}:{count}\"`",
             // A little outwards, so that rounding leaves out none.
             intensity(measure, 0.999 * from),
             intensity(measure, 1.001 * to)
         ),
-        Doubt::WithoutCosts(ids) => format!(
+        RiskDoubt::WithoutCosts(ids) => format!(
             "{} without a row in the inventory: {}",
             counted(ids.len(), "object"),
             some(ids, 1)
         ),
-        Doubt::WithoutFragility(ids) => format!(
+        RiskDoubt::WithoutFragility(ids) => format!(
             "{} of the inventory without a fragility: {}",
             counted(ids.len(), "object"),
             some(ids, 1)
         ),
-        Doubt::Unjudged { why, ids } => format!(
+        RiskDoubt::Unjudged { why, ids } => format!(
             "{}: an accepted rate was not compared with anything: {}",
             first(ids),
             why_unjudged(*why)
         ),
-        Doubt::UnknownWorth(options) => {
+        RiskDoubt::UnknownWorth(options) => {
             let (with, ranked) = match options.more {
                 0 => ("the option", "the option is ranked last and is"),
                 _ => ("each of them", "they are ranked last and are"),
@@ -126,7 +128,7 @@ fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
                 remedy(options)
             )
         }
-        Doubt::UnknownFalls(options) => {
+        RiskDoubt::UnknownFalls(options) => {
             let (avoid, they) = match options.more {
                 0 => ("avoids", "it is"),
                 _ => ("avoid", "they are"),
@@ -137,11 +139,11 @@ fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
                 remedy(options)
             )
         }
-        Doubt::NoPortfolio(why) => format!(
+        RiskDoubt::NoPortfolio(why) => format!(
             "{}: the losses of all objects together were not calculated",
             no_portfolio(*why, measure)
         ),
-        Doubt::WorldsLeftOut { left_out, worlds } => {
+        RiskDoubt::WorldsLeftOut { left_out, worlds } => {
             let (has, was, it) = if *left_out == 1 {
                 ("has", "was", "it")
             } else {
@@ -153,7 +155,7 @@ fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
                 counted(*worlds, "world")
             )
         }
-        Doubt::FailsAtLowest {
+        RiskDoubt::FailsAtLowest {
             lowest,
             failing,
             motions,
@@ -164,7 +166,7 @@ fn sentences(doubt: &Doubt, measure: Measure) -> Vec<String> {
             intensity(measure, *lowest),
             counted(*motions, "motion")
         ),
-        Doubt::LeastAlone(ids) => format!(
+        RiskDoubt::LeastAlone(ids) => format!(
             "{}: the outcomes give no curve of exceeding or overturning (\"bounds\" or \"not-increasing\"), so the \
              losses of objects that fail independently count the least that they can be; run more intensities",
             first(ids)

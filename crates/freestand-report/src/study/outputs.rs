@@ -15,9 +15,10 @@ use freestand_output::parquet;
 use freestand_output::rows::table_of_records;
 use freestand_output::table::Table;
 use freestand_records::write::write_csv;
+use freestand_study::building::BuildingTable;
 use freestand_study::provenance::{Provenance, provenance};
 use freestand_study::rerun::{
-    LevelFiles, with_building_tables, with_cushion, with_floor_motions, with_motions,
+    LevelFiles, MovedTable, with_building_tables, with_cushion, with_floor_motions, with_motions,
     with_period_code, with_seed, with_spectrum,
 };
 use freestand_study::result::{LevelResult, StudyResult};
@@ -62,11 +63,7 @@ pub fn expected_names(study: &Study, is_varied: bool) -> Vec<String> {
                 .map(|level| floor_name(&motion, &level.name)),
         );
     }
-    names.extend(
-        building_tables(study)
-            .into_iter()
-            .map(|(_, _, name, _)| name),
-    );
+    names.extend(building_tables(study).map(|table| name_of_table(table).to_owned()));
     names
 }
 
@@ -145,19 +142,16 @@ fn results(study: &Study, result: &StudyResult) -> Result<Vec<(&'static str, Tab
     Ok(tables)
 }
 
-/// The building's tables in the output folder: of the second axis, key, name, text.
-fn building_tables(study: &Study) -> Vec<(bool, &'static str, String, &[u8])> {
-    let tables = study.building.iter().flat_map(|building| &building.tables);
-    tables
-        .map(|(across, table)| {
-            let name = if *across {
-                "building/across.csv"
-            } else {
-                "building/along.csv"
-            };
-            (*across, table.key, name.to_owned(), table.text.as_slice())
-        })
-        .collect()
+fn building_tables(study: &Study) -> impl Iterator<Item = &BuildingTable> {
+    study.building.iter().flat_map(|building| &building.tables)
+}
+
+/// The name of a table of the building in the output folder.
+fn name_of_table(table: &BuildingTable) -> &'static str {
+    match table.is_across {
+        true => "building/across.csv",
+        false => "building/along.csv",
+    }
 }
 
 /// The table that synthetic motions were made for, as it was read.
@@ -169,14 +163,16 @@ fn rerun_toml(study: &Study) -> Result<String, Problem> {
         Some((_, words)) => with_cushion(&study.toml, words)?,
         None => study.toml.clone(),
     };
-    let tables: Vec<_> = building_tables(study)
-        .into_iter()
-        .map(|(across, key, name, _)| (across, key, name))
-        .collect();
+    let tables = building_tables(study).map(|table| MovedTable {
+        is_across: table.is_across,
+        key: table.key,
+        file: name_of_table(table),
+    });
+    let tables: Vec<MovedTable> = tables.collect();
     let toml = if tables.is_empty() {
         toml
     } else {
-        with_building_tables(&toml, &tables)?
+        with_building_tables(&toml, tables)?
     };
     // Without the code of the ground, the period would be by another formula.
     let code = study
@@ -254,9 +250,7 @@ fn tables(study: &Study, result: &StudyResult) -> Result<Vec<File>, Problems> {
         files.push((format!("{name}.csv"), table.into()));
     }
     files.extend(
-        building_tables(study)
-            .into_iter()
-            .map(|(_, _, name, text)| (name, text.to_vec())),
+        building_tables(study).map(|table| (name_of_table(table).to_owned(), table.text.clone())),
     );
     if let Ground::Synthetic(synthetic) = &study.ground
         && let Some(csv) = &synthetic.target.table_csv
@@ -331,8 +325,8 @@ mod tests {
         let study = resolve(toml, None, folder.path()).unwrap();
         let out = tempfile::tempdir().unwrap();
         std::fs::create_dir(out.path().join("building")).unwrap();
-        for (_, _, name, text) in building_tables(&study) {
-            std::fs::write(out.path().join(name), text).unwrap();
+        for table in building_tables(&study) {
+            std::fs::write(out.path().join(name_of_table(table)), &table.text).unwrap();
         }
         let again = resolve(&rerun_toml(&study).unwrap(), None, out.path()).unwrap();
         let modes = |study: &Study| {

@@ -214,9 +214,14 @@ fn a_plan_is_the_best_of_all_choices() {
         let (first, second) = rows.iter().cloned().partition(|(object, _)| *object < 2);
         let second: Vec<(usize, PlanRow)> = second;
         let second = second.into_iter().map(|(object, row)| (object - 2, row));
+        let site = |name: &str, priced| PlannedSite {
+            name: name.to_owned(),
+            budget: &budget,
+            priced,
+        };
         let sites = vec![
-            ("a".to_owned(), &budget, priced(first, 2, true)),
-            ("b".to_owned(), &budget, priced(second.collect(), 3, true)),
+            site("a", priced(first, 2, true)),
+            site("b", priced(second.collect(), 3, true)),
         ];
         let (over_sites, names) = plan_over_sites(sites, &no_progress).unwrap();
         assert_eq!(over_sites, plan);
@@ -262,11 +267,11 @@ fn without_rates_falls_are_avoided() {
             benefit: Some(100.0),
             ..one.clone()
         };
-        (
-            "s".to_owned(),
-            &budget,
-            priced(vec![(0, row)], 1, has_rates),
-        )
+        PlannedSite {
+            name: "s".to_owned(),
+            budget: &budget,
+            priced: priced(vec![(0, row)], 1, has_rates),
+        }
     });
     let (plan, _) = plan_over_sites(both.into(), &no_progress).unwrap();
     assert!(

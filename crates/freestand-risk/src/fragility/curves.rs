@@ -150,7 +150,7 @@ impl ObjectCurves {
                 to: *to,
                 mild: mild.limit_state,
                 severe: severe.limit_state,
-                crossing: fit.crossing(least, most).map(|(_, _, x)| x),
+                crossing: fit.crossing(least, most).map(|found| found.intensity),
             })
         })
     }

@@ -1,6 +1,6 @@
 //! What to know beside fragilities and hazards, as data: `freestand-report` has the words.
 
-use freestand::fragility::{LimitState, NoInterval, ShockFitError};
+use freestand::fragility::{Crossing, LimitState, NoInterval, ShockFitError};
 use freestand_inventory::too_mild::TooMild;
 use freestand_records::tables::hazard::Statistic;
 use strum::EnumCount;
@@ -66,14 +66,7 @@ pub enum FitDoubt {
         reasons: Vec<String>,
     },
     /// Two curves cross within the intensities of the runs.
-    Crossing {
-        /// One limit state.
-        one: LimitState,
-        /// The other.
-        other: LimitState,
-        /// Where they cross.
-        intensity: f64,
-    },
+    Crossing(Crossing),
     /// The curves do not fit.
     Misfit {
         /// The probability of runs that fit as badly.

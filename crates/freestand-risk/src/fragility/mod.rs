@@ -432,11 +432,7 @@ impl ObjectFragility {
         let levels = self.outcomes.levels();
         let ends = levels.first().zip(levels.last());
         let crossing = ends.and_then(|(from, to)| self.fit.crossing(*from, *to));
-        doubts.extend(crossing.map(|(one, other, intensity)| FitDoubt::Crossing {
-            one,
-            other,
-            intensity,
-        }));
+        doubts.extend(crossing.map(FitDoubt::Crossing));
         let misfit = self.goodness.filter(|one| one.is_misfit() == Some(true));
         doubts.extend(misfit.map(|one| FitDoubt::Misfit {
             p_value: one.p_value.unwrap_or(0.0),

@@ -84,6 +84,8 @@ pub struct BuildingTable {
     pub text: Vec<u8>,
     /// Whether it states the damping of every mode, so that no other is used.
     pub states_damping: bool,
+    /// Whether it is of the second axis.
+    pub is_across: bool,
 }
 
 /// The building and its modes.
@@ -105,8 +107,8 @@ pub struct BuildingInput {
     pub period_code: Option<PeriodCode>,
     /// The same for the second axis, if it has its own.
     pub across_note: Option<String>,
-    /// The tables that it was read from; `true` for a table of the second axis.
-    pub tables: Vec<(bool, BuildingTable)>,
+    /// The tables that it was read from.
+    pub tables: Vec<BuildingTable>,
     /// Warnings.
     pub warnings: Vec<String>,
 }
@@ -187,6 +189,7 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             file,
             text,
             states_damping: false,
+            is_across: false,
         }),
         warnings: warnings.into_iter().collect(),
     })
@@ -262,6 +265,7 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             file: InputFile::new(path, &text),
             text,
             states_damping,
+            is_across: false,
         }),
         warnings,
     })

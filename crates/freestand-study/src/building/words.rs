@@ -10,7 +10,7 @@ use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::word_reader::WordReader;
 
 use super::{
-    Axis, AxisModel, AxisRequest, BuildingInput, DEFAULT_DAMPING_RATIO,
+    Axis, AxisModel, AxisRequest, BuildingInput, BuildingTable, DEFAULT_DAMPING_RATIO,
     DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
 };
 
@@ -172,7 +172,7 @@ fn building(
         );
         return None;
     }
-    let mut tables = Vec::from_iter(first.table.map(|table| (false, table)));
+    let mut tables = Vec::from_iter(first.table);
     let mut warnings = first.warnings;
     if let Some(greatest_m) = code
         .greatest_height_m()
@@ -197,7 +197,10 @@ fn building(
             .table
             .clone()
             .filter(|table| reader.has(axis_key(table.key, 1)));
-        tables.extend(own.map(|table| (true, table)));
+        tables.extend(own.map(|table| BuildingTable {
+            is_across: true,
+            ..table
+        }));
         warnings.extend(axis.warnings.clone());
     }
     Some(BuildingInput {

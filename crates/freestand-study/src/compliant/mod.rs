@@ -11,8 +11,8 @@ use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
 use freestand::rocking::{Outcome, Until};
 
-use crate::cushion::told;
-use crate::unsolved::{self, base, unresolved_warning};
+use crate::doubt::HistoryDoubt;
+use crate::unsolved::{self, base, unresolved};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::answer;
@@ -264,8 +264,8 @@ pub struct CompliantReport {
     pub answer: PadAnswer,
     /// What the object rests on.
     pub base: CompliantBase,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
     /// Its history.
     pub history: PadHistory,
 }
@@ -289,14 +289,10 @@ pub fn rock_on_cushions(request: &CompliantRequest) -> Result<CompliantReport, P
     let is_one = !is_free && is_one_realisation(request, &how, history.rocking.outcome);
     let mut report = report(request, history);
     if is_one {
-        report.warnings.push(ONE_REALISATION.to_owned());
+        report.doubts.push(HistoryDoubt::OtherOutcomeNearby);
     }
     Ok(report)
 }
-
-/// What a single history is worth where a small change of the motion ends it differently.
-const ONE_REALISATION: &str = "one realisation: another outcome follows from a motion that differs by 0.01 %; trust \
-                               shares over many motions, not this history";
 
 /// Relative change of the motion by which an outcome is tested.
 const CHANGE_RATIO: f64 = 1e-4;
@@ -434,7 +430,7 @@ fn report(request: &CompliantRequest, history: PadHistory) -> CompliantReport {
     );
     CompliantReport {
         answer,
-        warnings: warnings(request, rocking),
+        doubts: doubts(request, rocking),
         base: base.clone(),
         history,
     }
@@ -448,44 +444,34 @@ fn in_g(acceleration_m_s2: f64) -> f64 {
 /// Largest relative error of the energy balance that causes no warning.
 const ENERGY_LIMIT: f64 = 1e-5;
 
-fn warnings(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<String> {
+fn doubts(request: &CompliantRequest, rocking: &CompliantRocking) -> Vec<HistoryDoubt> {
     let (base, pad_thickness_m) = (&request.object.base, request.pad_thickness_m);
     let is_shaken = request.horizontal.is_some() || request.vertical.is_some();
-    let mut doubts = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
-    doubts.extend(compression_warnings(
+    let mut of_cushion = stiffness_warnings(base.mass_kg, &base.cushion, pad_thickness_m);
+    of_cushion.extend(compression_warnings(
         rocking.peak_compression_m,
         &base.cushion,
         pad_thickness_m,
     ));
-    let mut warnings: Vec<String> = told(doubts).collect();
-    warnings.extend(ringing_warning(&base.cushion, is_shaken));
-    if rocking.equilibrium.is_none() {
-        warnings.push(
-            "the cushions are too soft to keep the object upright at rest: check their stiffness"
-                .to_owned(),
-        );
-    }
-    warnings.extend(energy_warning(rocking.energy.residual_ratio));
-    warnings.extend(unresolved_warning(rocking.outcome));
-    warnings
+    let is_soft = rocking.equilibrium.is_none();
+    of_cushion
+        .into_iter()
+        .map(HistoryDoubt::Validity)
+        .chain(rings(&base.cushion, is_shaken))
+        .chain(is_soft.then_some(HistoryDoubt::TooSoft))
+        .chain(energy_error(rocking.energy.residual_ratio))
+        .chain(unresolved(rocking.outcome))
+        .collect()
 }
 
-/// What is wrong with undamped cushions under a motion.
-pub(crate) fn ringing_warning(cushion: &Cushion, is_shaken: bool) -> Option<String> {
-    (is_shaken && !cushion.law().is_damped()).then(|| {
-        "the cushions have no damping: under a motion the object keeps ringing on them, and the largest shock of a \
-         long history depends on rounding; use a damped law, such as `law = \"kelvin-voigt\"` with `damping = \"5 %\"`"
-            .to_owned()
-    })
+/// Undamped cushions under a motion.
+pub(crate) fn rings(cushion: &Cushion, is_shaken: bool) -> Option<HistoryDoubt> {
+    (is_shaken && !cushion.law().is_damped()).then_some(HistoryDoubt::Undamped)
 }
 
-/// A warning about an energy balance that does not close.
-pub(crate) fn energy_warning(residual_ratio: f64) -> Option<String> {
-    (residual_ratio > ENERGY_LIMIT).then(|| {
-        format!(
-            "the energy balance has an error of {residual_ratio:.1e} of the energy exchanged: use `accuracy = \"tight\"`"
-        )
-    })
+/// An energy balance that does not close.
+pub(crate) fn energy_error(residual_ratio: f64) -> Option<HistoryDoubt> {
+    (residual_ratio > ENERGY_LIMIT).then_some(HistoryDoubt::EnergyError(residual_ratio))
 }
 
 /// The columns of a history.
@@ -575,9 +561,9 @@ mod tests {
                 < 1e-15
         );
         assert!(
-            report.history.rocking.energy.residual_ratio < 1e-7 && report.warnings.is_empty(),
+            report.history.rocking.energy.residual_ratio < 1e-7 && report.doubts.is_empty(),
             "{:?}",
-            report.warnings
+            report.doubts
         );
         let samples = &report.history.samples;
         assert_eq!(history_head(samples).split(',').count(), 13);

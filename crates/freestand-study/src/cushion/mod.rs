@@ -38,21 +38,13 @@ pub struct EdgeCushion {
 
 impl EdgeCushion {
     /// What is doubtful about its stiffness under a mass.
-    pub fn stiffness_doubts(&self, mass_kg: f64) -> impl Iterator<Item = String> {
-        told(stiffness_warnings(
-            mass_kg,
-            &self.cushion,
-            self.pad_thickness_m,
-        ))
+    pub fn stiffness_doubts(&self, mass_kg: f64) -> Vec<ValidityWarning> {
+        stiffness_warnings(mass_kg, &self.cushion, self.pad_thickness_m)
     }
 
     /// What is doubtful about a compression.
-    pub fn compression_doubts(&self, compression_m: f64) -> impl Iterator<Item = String> {
-        told(compression_warnings(
-            compression_m,
-            &self.cushion,
-            self.pad_thickness_m,
-        ))
+    pub fn compression_doubts(&self, compression_m: f64) -> Vec<ValidityWarning> {
+        compression_warnings(compression_m, &self.cushion, self.pad_thickness_m)
     }
 }
 

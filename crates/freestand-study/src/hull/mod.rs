@@ -21,8 +21,8 @@ use freestand_output::answer;
 use freestand_scan::mesh::Mesh;
 use serde::{Deserialize, Serialize};
 
-use crate::spatial::ONE_REALISATION;
-use crate::walls::{Ended, GivenCushion, ends_warning};
+use crate::doubt::{BesideWall, HistoryDoubt, HistoryNote, NarrowBase};
+use crate::walls::GivenCushion;
 
 /// A scan that is turned by more than this before it stands is said to be \[rad\].
 const TURNED_RAD: f64 = 0.035;
@@ -161,21 +161,16 @@ impl BodyInPose {
         BodyAnswer::of(self)
     }
 
-    /// That nobody chose a pose, and the body is turned to stand.
-    pub fn turned_words(&self) -> Option<String> {
+    /// How far the body is turned to stand, where nobody chose a pose \[rad\].
+    pub fn turned_rad(&self) -> Option<f64> {
         let turned_rad = self.standing.pose().tilt().0;
-        (self.pose == 1 && turned_rad > TURNED_RAD).then(|| {
-            format!(
-                "the scan was turned by {} degrees to stand",
-                number(turned_rad.to_degrees(), 2)
-            )
-        })
+        (self.pose == 1 && turned_rad > TURNED_RAD).then_some(turned_rad)
     }
 
-    /// Of a scan whose underside is taken to be flat: how wide that is where it is narrowest \[m\], and how wide the
-    /// body is in this direction, where that is more than four times as much: the scan may be tilted, so that a
+    /// Of a scan whose underside is taken to be flat: how wide that is where it is narrowest, where the
+    /// body is more than four times as wide in this direction: the scan may be tilted, so that a
     /// part of its base alone is at its lowest point. `None`: it is not.
-    pub fn narrow_base(&self) -> Option<(f64, f64)> {
+    pub fn narrow_base(&self) -> Option<NarrowBase> {
         if self.kind != BodyKind::ScanOnFlatBase {
             return None;
         }
@@ -205,6 +200,7 @@ impl BodyInPose {
             .map(in_direction)
             .min_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)))
             .filter(|(base_m, plan_m)| base_m * NARROW_RATIO < *plan_m)
+            .map(|(base_m, plan_m)| NarrowBase { base_m, plan_m })
     }
 
     /// How far its contacts sink, over how far those of the rocks of the tests on a shake table do.
@@ -418,7 +414,6 @@ answer! {
         orientation_rad: f64 = request.orientation_rad;
         /// Whether the probability that such a body falls is known to be too low.
         model_bias: bool = true;
-        notes: Vec<String> = notes(&request.body) => "note";
     }
 }
 
@@ -448,34 +443,19 @@ fn shifted_to(outcome: HullOutcome) -> Option<usize> {
 }
 
 /// What a single history of such a body is worth.
-fn notes(body: &BodyInPose) -> Vec<String> {
-    let mut notes = vec![
-        ONE_REALISATION.to_owned(),
-        // Mean of both rocks and shares that overturned: docs/validation.md.
-        "in 327 tests of two scanned rocks on a shake table this model underestimated overturning: it gave a mean \
-         probability of 0.29 and 0.21, and 37 % and 31 % overturned"
-            .to_owned(),
-    ];
-    if matches!(
+fn notes(body: &BodyInPose) -> Vec<HistoryNote> {
+    let is_untested = matches!(
         body.kind,
         BodyKind::Cylinder | BodyKind::Polygon | BodyKind::OnFeet
-    ) {
-        notes.push("this model has not been tested on round bodies or bodies on feet".to_owned());
-    }
-    if body.kind == BodyKind::ScanOnFlatBase {
-        notes.push(
-            "its underside is taken to be flat: on a base curved by 2 mm it would fall far more easily"
-                .to_owned(),
-        );
-    }
-    notes.extend(body.turned_words());
-    if body.is_hull_of_scan {
-        notes.push(
-            "the scan has holes or several parts: its convex hull, with uniform density, is used instead"
-                .to_owned(),
-        );
-    }
-    notes
+    );
+    let is_flat = body.kind == BodyKind::ScanOnFlatBase;
+    [HistoryNote::OneRealisation, HistoryNote::Underestimates]
+        .into_iter()
+        .chain(is_untested.then_some(HistoryNote::Untested))
+        .chain(is_flat.then_some(HistoryNote::FlatUnderside))
+        .chain(body.turned_rad().map(HistoryNote::Turned))
+        .chain(body.is_hull_of_scan.then_some(HistoryNote::HullOfScan))
+        .collect()
 }
 
 /// What a body did.
@@ -483,8 +463,10 @@ fn notes(body: &BodyInPose) -> Vec<String> {
 pub struct HullReport {
     /// What it did.
     pub answer: HullAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
+    /// What its reader must know.
+    pub notes: Vec<HistoryNote>,
     /// Where it was at the samples of the motion; empty if not sampled.
     pub history: Vec<HullPoint>,
 }
@@ -532,45 +514,33 @@ pub fn rock_on_hull(request: &HullRequest) -> Result<HullReport, Problem> {
             "choose another stable pose with `stand_on`, or a smaller `contact_sinking`",
         ));
     }
-    let mut warnings = Vec::new();
     let edge_n_m = request.edge_n_m();
     let ends = request.wall_cushion.ends(edge_n_m);
+    let mut doubts = Vec::new();
     if let Some(ends) = ends.filter(|_| !request.walls.is_empty()) {
-        let [soft, stiff] = ends.map(|cushion| -> Result<Ended, Problem> {
+        let [soft, stiff] = ends.map(|cushion| -> Result<BesideWall, Problem> {
             let found = beside(cushion, false)?;
-            let ratios = (cushion.0 / edge_n_m, cushion.1);
-            Ok((ratios, outcome_name(found.outcome), found.peak_tilt_rad))
+            Ok(BesideWall {
+                stiffness_ratio: cushion.0 / edge_n_m,
+                damping_ratio: cushion.1,
+                outcome: outcome_name(found.outcome),
+                tilt_rad: found.peak_tilt_rad,
+            })
         });
-        warnings.push(ends_warning([soft?, stiff?]));
+        doubts.push(HistoryDoubt::WallCushionAssumed([soft?, stiff?]));
     }
-    warnings.extend(request.body.narrow_base().map(narrow_base_warning));
-    if request.body.barrier.angle_rad() < HARDLY_RAD {
-        warnings.push(format!(
-            "the body hardly stands: its centre of gravity rises by {} mm until it falls",
-            number(1e3 * request.body.barrier.rise_m, 2)
-        ));
-    }
-    if rocking.outcome == HullOutcome::Unresolved {
-        warnings.push(
-            "the body still moves two minutes after the last sample: whether it falls is not known"
-                .to_owned(),
-        );
-    }
+    let barrier = &request.body.barrier;
+    let hardly = (barrier.angle_rad() < HARDLY_RAD).then_some(barrier.rise_m);
+    let is_open = rocking.outcome == HullOutcome::Unresolved;
+    doubts.extend(request.body.narrow_base().map(HistoryDoubt::NarrowBase));
+    doubts.extend(hardly.map(HistoryDoubt::HardlyStands));
+    doubts.extend(is_open.then_some(HistoryDoubt::UnresolvedOnHull));
     Ok(HullReport {
         answer: HullAnswer::of(&rocking, request),
-        warnings,
+        doubts,
+        notes: notes(&request.body),
         history,
     })
-}
-
-/// What a flat base that is much narrower than the body may mean.
-pub fn narrow_base_warning((base_m, plan_m): (f64, f64)) -> String {
-    format!(
-        "the flat base is only {} mm wide in a direction in which the scan is {} mm wide: if the scan is tilted or its underside bulges, turn its \
-         base onto the floor, or give a larger `scan_error` or the `feet`",
-        number(1e3 * base_m, 2),
-        number(1e3 * plan_m, 3)
-    )
 }
 
 /// A point of a history as that of an object on cushions is written.
@@ -619,7 +589,7 @@ mod tests {
 
     #[test]
     fn a_narrow_flat_base_is_said() {
-        let (base_m, plan_m) = on_base(0.06).narrow_base().unwrap();
+        let NarrowBase { base_m, plan_m } = on_base(0.06).narrow_base().unwrap();
         assert!((base_m - 0.06).abs() < 1e-9, "{base_m}");
         assert!((plan_m - 0.3).abs() < 1e-9, "{plan_m}");
         assert_eq!(on_base(0.09).narrow_base(), None);

@@ -3,7 +3,7 @@
 use super::Overrides;
 use crate::building::BuildingInput;
 use crate::options::{BuildingOptions, GroundOptions};
-use crate::study::{Assumed, AssumedValue, Ground};
+use crate::study::{AssumedValue, Ground, StudyAssumption};
 use freestand_input::words::{counted, number, percent};
 
 /// What was written, and by whom.
@@ -41,7 +41,7 @@ pub(super) fn assumed(
     ground: Option<&Ground>,
     building: Option<&BuildingInput>,
     stated: &Stated,
-) -> Vec<Assumed> {
+) -> Vec<StudyAssumption> {
     let of_ground = ground
         .into_iter()
         .flat_map(|ground| on_ground(ground, stated));
@@ -49,7 +49,7 @@ pub(super) fn assumed(
         .into_iter()
         .flat_map(|building| above(building, stated));
     of_ground
-        .map(|words| Assumed {
+        .map(|words| StudyAssumption {
             of_building: false,
             value: AssumedValue::Said(words),
         })
@@ -87,9 +87,9 @@ fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
     said
 }
 
-fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
+fn above(building: &BuildingInput, stated: &Stated) -> Vec<StudyAssumption> {
     let mut said = Vec::new();
-    let plain = |words: String| Assumed {
+    let plain = |words: String| StudyAssumption {
         of_building: true,
         value: AssumedValue::Said(words),
     };
@@ -105,7 +105,7 @@ fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
             .into_iter()
             .any(|key| stated.of_building(key))
     {
-        said.push(Assumed {
+        said.push(StudyAssumption {
             of_building: true,
             value: AssumedValue::StoreyHeight(height_m),
         });
@@ -117,10 +117,7 @@ fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
             building.period_note
         )));
     }
-    let states_damping = building
-        .tables
-        .iter()
-        .any(|(_, table)| table.states_damping);
+    let states_damping = building.tables.iter().any(|table| table.states_damping);
     if !states_damping && !stated.of_building("damping") {
         let ratio = building
             .along

@@ -23,6 +23,16 @@ const MAX_NAME_CHARS: usize = 120;
 
 const DEFAULT_LEVELS: [(&str, f64); 2] = [("mid-height", 0.5), ("roof", 1.0)];
 
+/// A study whose building has the storeys that were given beside it.
+pub(super) struct WithStoreys {
+    /// Its text.
+    pub(super) text: String,
+    /// The storeys.
+    pub(super) storeys: GivenStoreys,
+    /// Whether nobody stated the building.
+    pub(super) is_assumed: bool,
+}
+
 /// Whether `[building]` says how high the building is and how it moves: by its storeys, its height or a
 /// table, or by its period and its named floors.
 fn states_its_size(written: &BuildingOptions) -> bool {
@@ -35,22 +45,29 @@ fn states_its_size(written: &BuildingOptions) -> bool {
 }
 
 impl Resolver<'_> {
-    /// The storeys of `overrides` in place of those of a building that nobody stated: the text of the study
-    /// with them, their values, and whether the building is still assumed. Nobody chose the one of the
-    /// built-in study.
+    /// The storeys of `overrides` in place of those of a building that nobody stated. Nobody chose the one of
+    /// the built-in study.
     pub(super) fn with_storeys(
         &mut self,
         written: &mut BuildingOptions,
         text: String,
         overrides: &Overrides,
         is_builtin: bool,
-    ) -> (String, GivenStoreys, bool) {
+    ) -> WithStoreys {
         let none = GivenStoreys::default();
         if states_its_size(written) && !is_builtin {
-            return (text, none, false);
+            return WithStoreys {
+                text,
+                storeys: none,
+                is_assumed: false,
+            };
         }
         let Some(storeys) = overrides.storeys else {
-            return (text, none, true);
+            return WithStoreys {
+                text,
+                storeys: none,
+                is_assumed: true,
+            };
         };
         // The name of the built-in building is not that of another.
         if is_builtin {
@@ -60,11 +77,11 @@ impl Resolver<'_> {
             .storey_height_m
             .map(|height_m| format!("{height_m} m"));
         // Text that is not TOML was noted when it was read.
-        (
-            with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text),
-            GivenStoreys::of(overrides),
-            false,
-        )
+        WithStoreys {
+            text: with_storeys(&text, storeys, height.as_deref(), is_builtin).unwrap_or(text),
+            storeys: GivenStoreys::of(overrides),
+            is_assumed: false,
+        }
     }
 
     /// Its warnings are still with it; `code` is that of the spectrum.

@@ -21,6 +21,7 @@ use crate::options::{self, Change, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
 use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
 use crate::target::{Target, period_code};
+use building::WithStoreys;
 use freestand_input::file::{file_name, load_up_to};
 use freestand_input::keys::{KeyStyle, Words};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -294,12 +295,16 @@ fn resolve_as(
         restraint,
     } = options;
     let text = resolver.with_hazard(&mut ground, text, overrides);
-    let (text, storeys, building_is_assumed) = match values {
-        Some(_) => (
+    let WithStoreys {
+        text,
+        storeys,
+        is_assumed: building_is_assumed,
+    } = match values {
+        Some(_) => WithStoreys {
             text,
-            GivenStoreys::of(overrides),
-            overrides.storeys.is_none(),
-        ),
+            storeys: GivenStoreys::of(overrides),
+            is_assumed: overrides.storeys.is_none(),
+        },
         None => resolver.with_storeys(&mut building, text, overrides, is_builtin),
     };
     if has_measured_floors(&building)
@@ -588,7 +593,7 @@ pub fn motion_paths(study: &Study) -> Vec<PathBuf> {
         .building
         .iter()
         .flat_map(|building| &building.tables)
-        .map(|(_, table)| &table.file.path);
+        .map(|table| &table.file.path);
     recorded
         .iter()
         .map(|motion| &motion.path)

@@ -7,7 +7,7 @@ use freestand::rocking::{Accuracy, Restitution};
 use super::{MAX_OBJECTS, Resolver, or, stated};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
-use crate::shape::squat_warning;
+use crate::shape::squat;
 use crate::study::Objects;
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::toml_reader::Written;
@@ -90,9 +90,10 @@ impl Resolver<'_> {
             return None;
         }
         let (cushion, cushion_file) = cushion?;
-        self.warnings.extend(cushion.stiffness_doubts(mass_kg));
-        self.warnings
-            .extend(squat_warning(blocks.len(), blocks.iter().copied()));
+        let of_cushion = cushion.stiffness_doubts(mass_kg).into_iter();
+        let squat = squat(blocks.len(), blocks.iter().copied()).into_iter();
+        self.warnings.extend(of_cushion.map(|one| one.to_string()));
+        self.warnings.extend(squat.map(|one| one.to_string()));
         Some(Objects {
             heights_m,
             thicknesses_m,

@@ -311,7 +311,12 @@ fn example_history(
     names: &[String],
     levels: &[LevelResult],
 ) -> Result<Option<ExampleHistory>, Box<dyn std::error::Error>> {
-    let Some((level, motion, block)) = history_choice(study, names, levels) else {
+    let Some(Drawn {
+        level,
+        motion,
+        block,
+    }) = history_choice(study, names, levels)
+    else {
         return Ok(None);
     };
     let direction_deg = governing_direction(study, &level.responses[motion], &block);
@@ -368,12 +373,20 @@ fn governing_direction(study: &Study, row: &[ObjectResponse], block: &Block) -> 
     }
 }
 
-/// Level, index of the motion and object of the history that is drawn; `None` where nothing rocks.
+/// The history that is drawn.
+struct Drawn<'a> {
+    level: &'a LevelResult,
+    /// The place of the motion among those of the level.
+    motion: usize,
+    block: Block,
+}
+
+/// The history that is drawn; `None` where nothing rocks.
 fn history_choice<'a>(
     study: &Study,
     names: &[String],
     levels: &'a [LevelResult],
-) -> Option<(&'a LevelResult, usize, Block)> {
+) -> Option<Drawn<'a>> {
     Some(match &study.outputs.history {
         Some(choice) => {
             let level = levels
@@ -383,11 +396,11 @@ fn history_choice<'a>(
                 Some(wanted) => names.iter().position(|name| name == wanted)?,
                 None => 0,
             };
-            (
+            Drawn {
                 level,
                 motion,
-                Block::uniform(choice.height_m, choice.thickness_m).ok()?,
-            )
+                block: Block::uniform(choice.height_m, choice.thickness_m).ok()?,
+            }
         }
         None => {
             // A level whose height is not known ranks below the others.
@@ -407,7 +420,11 @@ fn history_choice<'a>(
                 .iter()
                 .enumerate()
                 .find_map(|(motion, row)| Some((motion, hardest(row)?)))?;
-            (level, motion, cell.block)
+            Drawn {
+                level,
+                motion,
+                block: cell.block,
+            }
         }
     })
 }

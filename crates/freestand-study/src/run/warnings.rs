@@ -99,7 +99,8 @@ pub(super) fn result_warnings(
         })
         .max_by(|a, b| a.compression_m.total_cmp(&b.compression_m));
     if let Some(impact) = worst {
-        warnings.extend(objects.cushion.compression_doubts(impact.compression_m));
+        let doubts = objects.cushion.compression_doubts(impact.compression_m);
+        warnings.extend(doubts.iter().map(ToString::to_string));
     }
     warnings
 }

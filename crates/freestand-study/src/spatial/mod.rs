@@ -21,13 +21,11 @@ use freestand_records::horizontal::HorizontalMotion;
 
 pub use wall::{CushionWallAnswer, walls_on_cushions};
 
-use crate::compliant::{damped, energy_warning, ringing_warning};
+use crate::compliant::{damped, energy_error, rings};
 use crate::cushion::EdgeCushion;
-use crate::unsolved::{self, base, unresolved_warning};
+use crate::doubt::{HistoryDoubt, HistoryNote};
+use crate::unsolved::{self, base, unresolved};
 use crate::walls::GivenCushion;
-
-/// What a single history in space is worth.
-pub(crate) const ONE_REALISATION: &str = "one realisation: trust shares and fractiles over many motions and directions, not a single history";
 
 /// The shapes of objects in space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -149,7 +147,6 @@ answer! {
         support: SupportAnswer = SupportAnswer::of(
             &request.object.support, request.object.mass_kg, &request.how.settings, rocking.effort,
         ) => flat;
-        notes: Vec<String> = notes(&request.edge) => "note";
     }
 
     /// What an object in space or a stack rests on, and how it was followed.
@@ -196,7 +193,6 @@ answer! {
         upper_mass_kg: f64 = request.stack.upper.mass_kg;
         /// Coefficient of friction between the bodies; none: no slip.
         interface_friction_ratio: Option<f64> = request.stack.interface.friction_ratio;
-        notes: Vec<String> = notes(&request.edge) => "note";
     }
 
     /// What a body of a stack did.
@@ -244,8 +240,10 @@ answer! {
 pub struct SpatialReport {
     /// What it did.
     pub answer: SpatialAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
+    /// What its reader must know.
+    pub notes: Vec<HistoryNote>,
     /// The shape.
     pub shape: Shape,
     /// Its history.
@@ -272,8 +270,10 @@ pub struct StackRequest {
 pub struct StackReport {
     /// What it did.
     pub answer: StackAnswer,
-    /// Warnings about the validity of the result.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<HistoryDoubt>,
+    /// What its reader must know.
+    pub notes: Vec<HistoryNote>,
     /// The stack.
     pub stack: Stack,
     /// Its history.
@@ -381,17 +381,18 @@ pub fn rock_in_space(request: &SpatialRequest) -> Result<SpatialReport, Problem>
     let body = &rocking.body;
     let answer = SpatialAnswer::of(body, rocking, request);
     let is_shaken = given.is_some();
-    let mut warnings = warnings(
+    let mut doubts = doubts(
         object.mass_kg,
         &request.edge,
         is_shaken,
         rocking.energy.residual_ratio,
     );
-    warnings.extend(unresolved_warning(body.outcome));
-    warnings.extend(wall::ends(request, motion)?);
+    doubts.extend(unresolved(body.outcome));
+    doubts.extend(wall::ends(request, motion)?);
     Ok(SpatialReport {
         answer,
-        warnings,
+        doubts,
+        notes: notes(&request.edge),
         shape: object.shape,
         history,
     })
@@ -411,17 +412,25 @@ fn in_space(shape: &Shape, value: f64) -> Option<f64> {
     (!matches!(shape, Shape::Plane { .. })).then_some(value)
 }
 
-fn notes(edge: &EdgeCushion) -> Vec<String> {
-    std::iter::once(ONE_REALISATION.to_owned())
-        .chain(edge.notes.iter().cloned())
+fn notes(edge: &EdgeCushion) -> Vec<HistoryNote> {
+    let of_cushion = edge.notes.iter().cloned().map(HistoryNote::Cushion);
+    std::iter::once(HistoryNote::OneRealisation)
+        .chain(of_cushion)
         .collect()
 }
 
-fn warnings(mass_kg: f64, edge: &EdgeCushion, is_shaken: bool, residual_ratio: f64) -> Vec<String> {
-    let mut warnings: Vec<String> = edge.stiffness_doubts(mass_kg).collect();
-    warnings.extend(ringing_warning(&edge.cushion, is_shaken));
-    warnings.extend(energy_warning(residual_ratio));
-    warnings
+fn doubts(
+    mass_kg: f64,
+    edge: &EdgeCushion,
+    is_shaken: bool,
+    residual_ratio: f64,
+) -> Vec<HistoryDoubt> {
+    let of_cushion = edge.stiffness_doubts(mass_kg).into_iter();
+    of_cushion
+        .map(HistoryDoubt::Validity)
+        .chain(rings(&edge.cushion, is_shaken))
+        .chain(energy_error(residual_ratio))
+        .collect()
 }
 
 /// Calculates the motion of a stack.
@@ -438,16 +447,17 @@ pub fn rock_stacked(request: &StackRequest) -> Result<StackReport, Problem> {
     let rocking = &history.rocking;
     let answer = StackAnswer::of(rocking, request);
     let lower_kg = request.stack.lower.mass_kg;
-    let mut warnings = warnings(
+    let mut doubts = doubts(
         lower_kg,
         &request.edge,
         given.is_some(),
         rocking.energy.residual_ratio,
     );
-    warnings.extend(unresolved_warning(rocking.outcome));
+    doubts.extend(unresolved(rocking.outcome));
     Ok(StackReport {
         answer,
-        warnings,
+        doubts,
+        notes: notes(&request.edge),
         stack: request.stack.clone(),
         history,
     })

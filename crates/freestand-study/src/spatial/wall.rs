@@ -12,8 +12,9 @@ use freestand_output::answer;
 
 use super::{SpatialRequest, with_stiffness};
 use crate::compliant::damped;
+use crate::doubt::{BesideWall, HistoryDoubt};
 use crate::unsolved;
-use crate::walls::{Ended, GivenCushion, ends_warning};
+use crate::walls::GivenCushion;
 
 /// The walls of an object on these cushions: an edge of it meets the cushion of an edge, or one with the stiffness and
 /// the damping ratio of the wall; without one of them that of the edge. Their restitution is not used: on
@@ -78,7 +79,7 @@ pub fn walls_on_cushions(
 pub(super) fn ends(
     request: &SpatialRequest,
     motion: SpatialMotion<'_>,
-) -> Result<Option<String>, Problem> {
+) -> Result<Option<HistoryDoubt>, Problem> {
     let object = &request.object;
     let edge = &object.support.cushion;
     let weight_n = object.mass_kg * request.how.settings.gravity_m_s2;
@@ -89,7 +90,7 @@ pub(super) fn ends(
     if object.walls.is_empty() {
         return Ok(None);
     }
-    let followed = |(stiffness_n_m, damping_ratio): (f64, f64)| -> Result<Ended, Problem> {
+    let followed = |(stiffness_n_m, damping_ratio): (f64, f64)| -> Result<BesideWall, Problem> {
         let cushion = damped(object.mass_kg, stiffness_n_m, damping_ratio)?;
         let mut object = object.clone();
         for wall in &mut object.walls {
@@ -104,14 +105,15 @@ pub(super) fn ends(
             .map_err(unsolved::problem)?
             .rocking
             .body;
-        Ok((
-            (stiffness_n_m / edge_n_m, damping_ratio),
-            body.outcome.name(),
-            body.peak_tilt_rad,
-        ))
+        Ok(BesideWall {
+            stiffness_ratio: stiffness_n_m / edge_n_m,
+            damping_ratio,
+            outcome: body.outcome.name(),
+            tilt_rad: body.peak_tilt_rad,
+        })
     };
     let [soft, stiff] = ends.map(followed);
-    Ok(Some(ends_warning([soft?, stiff?])))
+    Ok(Some(HistoryDoubt::WallCushionAssumed([soft?, stiff?])))
 }
 
 /// Refuses an object that cannot stand at a wall.

@@ -46,7 +46,7 @@ pub struct Study {
     /// Whether nobody stated the building: it is that of the built-in study.
     pub building_is_assumed: bool,
     /// Everything about the shaking that nobody stated.
-    pub assumed: Vec<Assumed>,
+    pub assumed: Vec<StudyAssumption>,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -151,7 +151,7 @@ impl Study {
 
 /// A value that nobody stated.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Assumed {
+pub struct StudyAssumption {
     /// Whether it is one of the building.
     pub of_building: bool,
     /// What was assumed.

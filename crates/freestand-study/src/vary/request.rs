@@ -183,7 +183,7 @@ fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'sta
                 (_, "damping") => input
                     .tables
                     .iter()
-                    .any(|(across, table)| !across && table.states_damping)
+                    .any(|table| !table.is_across && table.states_damping)
                     .then_some("the table states the damping of every mode"),
                 (Model::Beam { .. }, _) | (Model::Shear { .. }, "modes") => None,
                 (Model::Shear { .. } | Model::Table { .. }, _) => {

@@ -27,7 +27,7 @@ pub use incremental::{
     resurrections, scales_of_motion,
 };
 pub use interval::clopper_pearson;
-pub use ordered::{Curve, CurveKind, Fit, FitKind, fit_curves};
+pub use ordered::{Crossing, Curve, CurveKind, Fit, FitKind, fit_curves};
 pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run, Sampling};
 pub use quality::{Line, line_through, trend_p_value, weighted_line};
 pub use two_stage::{ShockDistribution, ShockFitError, ShockRun, TwoStage, fit_shock};

@@ -183,6 +183,15 @@ pub struct Fit {
     pub score_per_run: f64,
 }
 
+/// Two curves that cross.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crossing {
+    /// Their limit states, the less severe first.
+    pub states: [LimitState; 2],
+    /// Where they cross.
+    pub intensity: f64,
+}
+
 impl Fit {
     /// The curve of a limit state.
     pub fn curve(&self, state: LimitState) -> Option<CurveKind> {
@@ -201,10 +210,10 @@ impl Fit {
         fitted.map(|curve| curve.limit_state).collect()
     }
 
-    /// The lowest pair of limit states whose curves cross, and the intensity at which they do:
+    /// The crossing of the lowest pair of limit states whose curves cross:
     /// ln x = (β₂ ln θ₁ − β₁ ln θ₂)/(β₂ − β₁). Beyond it the more severe state would be the more
     /// probable one. `None` if none cross between the given intensities.
-    pub fn crossing(&self, from: f64, to: f64) -> Option<(LimitState, LimitState, f64)> {
+    pub fn crossing(&self, from: f64, to: f64) -> Option<Crossing> {
         self.curves
             .iter()
             .zip(self.curves.iter().skip(1))
@@ -222,12 +231,11 @@ impl Fit {
                 else {
                     return None;
                 };
-                let at = ((b2 * m1.ln() - b1 * m2.ln()) / (b2 - b1)).exp();
-                (b1 != b2 && (from..=to).contains(&at)).then_some((
-                    one.limit_state,
-                    other.limit_state,
-                    at,
-                ))
+                let intensity = ((b2 * m1.ln() - b1 * m2.ln()) / (b2 - b1)).exp();
+                (b1 != b2 && (from..=to).contains(&intensity)).then_some(Crossing {
+                    states: [one.limit_state, other.limit_state],
+                    intensity,
+                })
             })
     }
 }

@@ -435,21 +435,32 @@ fn is_clipped(pulse: &[f64], noise: f64, rounding: f64) -> bool {
 
 /// The least difference between two values, which shows the rounding of printed ones.
 fn least_step(samples: &[f64]) -> f64 {
-    let (_, range, steps) = steps_above(samples, 1e-9);
+    let Levels { range, steps, .. } = steps_above(samples, 1e-9);
     steps.into_iter().fold(range, f64::min)
 }
 
-/// The lowest sample, their range, and the steps between their values that are larger than this share of it.
-fn steps_above(samples: &[f64], share: f64) -> (f64, f64, Vec<f64>) {
+/// The values of samples.
+#[derive(Default)]
+struct Levels {
+    /// The lowest.
+    low: f64,
+    range: f64,
+    /// The differences from one to the next.
+    steps: Vec<f64>,
+}
+
+/// The values of samples, with the steps that are larger than this share of their range.
+fn steps_above(samples: &[f64], share: f64) -> Levels {
     let mut sorted = samples.to_vec();
     sorted.sort_by(f64::total_cmp);
     let (Some(&low), Some(high)) = (sorted.first(), sorted.last()) else {
-        return (0.0, 0.0, Vec::new());
+        return Levels::default();
     };
     let range = high - low;
     let steps = sorted.windows(2).map(|pair| pair[1] - pair[0]);
     let steps = steps.filter(|step| *step > share * range);
-    (low, range, steps.collect())
+    let steps = steps.collect();
+    Levels { low, range, steps }
 }
 
 /// Smallest number of different values that show the steps of a converter.
@@ -460,7 +471,7 @@ const ON_GRID: f64 = 0.1;
 /// The step of a converter whose multiples all samples are; 0 if they are not on a grid that shows. A noise below the
 /// step does not show in a quiet record, and is part of every sample of a pulse.
 fn resolution(samples: &[f64]) -> f64 {
-    let (low, range, steps) = steps_above(samples, 1e-6);
+    let Levels { low, range, steps } = steps_above(samples, 1e-6);
     let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
     if steps.len() < MIN_VALUES || !least.is_finite() {
         return 0.0;

@@ -141,6 +141,15 @@ pub(super) struct Matcher<'a> {
     fine: Vec<f64>,
 }
 
+/// How a pass changes the logarithms of the amplitudes.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Pass {
+    /// The share that it removes of what is missed, ln PSA/target.
+    pub(super) step: f64,
+    /// The share that it repeats of the change before.
+    pub(super) momentum: f64,
+}
+
 impl<'a> Matcher<'a> {
     pub(super) fn new(
         layout: &'a Layout,
@@ -186,18 +195,18 @@ impl<'a> Matcher<'a> {
     }
 
     /// Passes with momentum, then the factor that takes the mean of ln PSA/target over the periods of
-    /// `over_s` to 0. A pass (s, m) changes the logarithms of the amplitudes by −s ln PSA/target and m
-    /// times the change before, and cuts low frequencies as [`PLAIN_PASSES`] passes do.
+    /// `over_s` to 0. A pass changes the logarithms of the amplitudes by its [`Pass::step`] and
+    /// [`Pass::momentum`], and cuts low frequencies as [`PLAIN_PASSES`] passes do.
     pub(super) fn follow(
         &mut self,
         accel: Vec<f64>,
-        passes: &[(f64, f64)],
+        passes: &[Pass],
         over_s: &RangeInclusive<f64>,
     ) -> Result<Motion, SynthesisError> {
         let mut ln_gains = vec![0.0; MATCHED_PERIODS];
         let mut next = passes.iter();
         let (best, _) = self.best_of(accel, passes.len(), |matcher, accel, ln_ratios| {
-            let (step, momentum) = next.next().copied().unwrap_or_default();
+            let Pass { step, momentum } = next.next().copied().unwrap_or_default();
             for (ln_gain, ln_ratio) in ln_gains.iter_mut().zip(ln_ratios) {
                 *ln_gain = momentum * *ln_gain - step * ln_ratio;
             }

@@ -1,6 +1,6 @@
 //! Motions that follow a rough spectrum after a few passes.
 
-use super::matching::{Gain, Layout, Matcher};
+use super::matching::{Gain, Layout, Matcher, Pass};
 use super::noise::noise;
 use super::{SynthesisError, SynthesisOptions, shaking_layout, window, windowed};
 use crate::motion::Motion;
@@ -66,7 +66,8 @@ impl QuickMatcher {
         &self,
         target_sa_g: impl Fn(f64) -> f64,
         over_s: &RangeInclusive<f64>,
-        (seed, stream): (u64, u64),
+        seed: u64,
+        stream: u64,
     ) -> Result<Motion, SynthesisError> {
         let mut matcher = Matcher::new(&self.layout, &target_sa_g, Gain::AtPeriod)?;
         let (mut accel, drawn) = self.noise(seed, stream);
@@ -85,11 +86,19 @@ impl QuickMatcher {
     }
 }
 
-/// The share that a pass removes of what is missed, and that it repeats of the change before.
-fn steps(passes: usize) -> Vec<(f64, f64)> {
-    let mut steps = vec![(STEP, MOMENTUM); passes];
-    steps[0] = (1.0, 0.0);
-    steps[passes - 1] = (1.0, 0.0);
+/// So many passes with momentum, of which the first and the last are plain.
+fn steps(passes: usize) -> Vec<Pass> {
+    const PLAIN: Pass = Pass {
+        step: 1.0,
+        momentum: 0.0,
+    };
+    let with_momentum = Pass {
+        step: STEP,
+        momentum: MOMENTUM,
+    };
+    let mut steps = vec![with_momentum; passes];
+    steps[0] = PLAIN;
+    steps[passes - 1] = PLAIN;
     steps
 }
 
@@ -101,7 +110,7 @@ mod tests {
     fn a_few_passes_with_momentum_change_amplitudes_as_much_as_many_plain_ones() {
         let of_constant_ratio = |passes: usize| {
             let (mut change, mut sum) = (0.0, 0.0);
-            for (step, momentum) in steps(passes) {
+            for Pass { step, momentum } in steps(passes) {
                 change = momentum * change - step;
                 sum += change;
             }

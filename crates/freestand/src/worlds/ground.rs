@@ -351,6 +351,17 @@ pub(super) fn factor(periods_s: &[f64]) -> Vec<Vec<f64>> {
     rows
 }
 
+/// The random numbers of the motions of a world.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WorldDraw {
+    /// The seed of all worlds.
+    pub seed: u64,
+    /// The number of the world.
+    pub world: u32,
+    /// How often its motions were drawn before.
+    pub repetition: u32,
+}
+
 /// The motion of a component of a world, matched to the target PSA `target_sa_g` (period \[s\] to g,
 /// 5 % damping) with its deviation.
 ///
@@ -381,9 +392,14 @@ pub fn world_motion(
     target_sa_g: impl Fn(f64) -> f64,
     spectra: &WorldSpectra,
     component: Component,
-    (seed, world, repetition): (u64, u32, u32),
+    draw: WorldDraw,
     matcher: &QuickMatcher,
 ) -> Result<Motion, SynthesisError> {
+    let WorldDraw {
+        seed,
+        world,
+        repetition,
+    } = draw;
     let deviation = spectra.of(component);
     let number = component.number() + COMPONENTS * repetition;
     let stream = stream(number, world);
@@ -391,5 +407,5 @@ pub fn world_motion(
     if deviation.ln_ratios.iter().all(|ln| *ln == 0.0) {
         return Ok(synthesize(of_world, seed, stream, matcher.options())?.motion);
     }
-    matcher.motion(of_world, &MEAN_OVER_S, (seed, stream))
+    matcher.motion(of_world, &MEAN_OVER_S, seed, stream)
 }

@@ -14,7 +14,9 @@ mod wall;
 
 pub use building::{BuildingDraw, BuildingSpread, is_first_side_along_x};
 pub use correlation::spectral_correlation_ratio;
-pub use ground::{Component, Deviation, GroundSpread, SpreadOptions, WorldSpectra, world_motion};
+pub use ground::{
+    Component, Deviation, GroundSpread, SpreadOptions, WorldDraw, WorldSpectra, world_motion,
+};
 pub use pulse::{
     ACCEPTED_FAULT_MAGNITUDES, FARTHEST_PULSE_M, FAULT_MAGNITUDES, MOST_FAULT_DISTANCE_M,
     NearFault, Pulses, WorldPulse, pulse_amplification_ratio, pulse_period_s, pulse_probability,

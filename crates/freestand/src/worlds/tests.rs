@@ -378,7 +378,18 @@ fn without_spreads_the_target_is_the_spectrum_of_the_code() {
     };
     let matcher = QuickMatcher::new(&options).unwrap();
     let motion = |component, repetition| {
-        world_motion(code, &spectra, component, (1, 4, repetition), &matcher).unwrap()
+        world_motion(
+            code,
+            &spectra,
+            component,
+            WorldDraw {
+                seed: 1,
+                world: 4,
+                repetition,
+            },
+            &matcher,
+        )
+        .unwrap()
     };
     let x = motion(Component::X, 0);
     assert_eq!(
@@ -545,8 +556,18 @@ fn the_motions_of_worlds_have_the_spectra_that_were_drawn() {
                 .with_factors(drawn.period_factor, drawn.damping_factor)
                 .unwrap();
             [Component::X, Component::Y].map(|component| {
-                let motion =
-                    world_motion(code, &spectra, component, (1, world, 0), &matcher).unwrap();
+                let motion = world_motion(
+                    code,
+                    &spectra,
+                    component,
+                    WorldDraw {
+                        seed: 1,
+                        world,
+                        repetition: 0,
+                    },
+                    &matcher,
+                )
+                .unwrap();
                 let psa = response_spectrum(&motion, 0.05, &periods_s)
                     .unwrap()
                     .psa_m_s2;
@@ -698,7 +719,11 @@ fn the_median_peak_of_the_motions_is_that_of_the_target() {
     let matcher = QuickMatcher::new(&crate::synthesis::SynthesisOptions::default()).unwrap();
     let peaks = |spectra: &WorldSpectra, world| {
         [Component::X, Component::Y].map(|component| {
-            let key = (1, world, 0);
+            let key = WorldDraw {
+                seed: 1,
+                world,
+                repetition: 0,
+            };
             let made = world_motion(|t| code.sa_g(t), spectra, component, key, &matcher).unwrap();
             made.peak_m_s2() / crate::G0_M_S2
         })
@@ -748,8 +773,18 @@ fn the_spread_of_restitution_hardly_changes_how_often_objects_overturn() {
         .into_par_iter()
         .map(|world| {
             let spectra = spread.spectra(2, world, 0);
-            let ground =
-                world_motion(code, &spectra, Component::X, (2, world, 0), &matcher).unwrap();
+            let ground = world_motion(
+                code,
+                &spectra,
+                Component::X,
+                WorldDraw {
+                    seed: 2,
+                    world,
+                    repetition: 0,
+                },
+                &matcher,
+            )
+            .unwrap();
             let drawn = BuildingSpread::default().draw(2, world, 0);
             let building = five_storeys()
                 .with_factors(drawn.period_factor, drawn.damping_factor)

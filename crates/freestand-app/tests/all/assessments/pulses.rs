@@ -9,7 +9,7 @@
 use std::sync::Arc;
 
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
-use freestand::worlds::{Component, GroundSpread, Pulses, SpreadOptions, world_motion};
+use freestand::worlds::{Component, GroundSpread, Pulses, SpreadOptions, WorldDraw, world_motion};
 use freestand_app::job::{Job, assess_into};
 use freestand_assess::list::{ListRequest, inventory_of};
 use freestand_assess::one_object::{
@@ -63,7 +63,11 @@ fn without_a_fault_no_world_changes() {
             let spectra = spread.spectra(ground_of.seed, world, 0);
             let plain = [Component::X, Component::Y].map(|component| {
                 let target = |t: f64| ground_of.target.spectrum.sa_g(t);
-                let key = (ground_of.seed, world, 0);
+                let key = WorldDraw {
+                    seed: ground_of.seed,
+                    world,
+                    repetition: 0,
+                };
                 let made = world_motion(target, &spectra, component, key, &matcher).unwrap();
                 made.accel_m_s2().to_vec()
             });
@@ -102,7 +106,11 @@ fn a_fault_brings_its_pulses_to_every_floor() {
         .zip(ground(&worlds, world))
     {
         let lowered = |t: f64| pulses.under_sa_g(Some(&pulse), t, target(t));
-        let key = (ground_of.seed, world, 0);
+        let key = WorldDraw {
+            seed: ground_of.seed,
+            world,
+            repetition: 0,
+        };
         let under = world_motion(lowered, &spectra, component, key, &matcher).unwrap();
         let still = under.scaled(0.0).unwrap();
         let along = amplitude_m_s * pulse.part(component);
@@ -120,7 +128,11 @@ fn a_fault_brings_its_pulses_to_every_floor() {
     let spectra = spread.spectra(ground_of.seed, world, 0);
     let lower = |t: f64| pulses.under_sa_g(None, t, target(t));
     assert!(lower(3.0) < 0.95 * target(3.0));
-    let key = (ground_of.seed, world, 0);
+    let key = WorldDraw {
+        seed: ground_of.seed,
+        world,
+        repetition: 0,
+    };
     let without = world_motion(lower, &spectra, Component::X, key, &matcher).unwrap();
     assert_eq!(ground(&worlds, world)[0], without.accel_m_s2());
     // The floors: what moves the ground moves the roof.

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use freestand_app::motion::Meant;
-use freestand_app::pair::{ROTATE, Rotate, RotateReport};
+use freestand_app::pair::{ROTATE, Rotate, RotateReport, Turning};
 use freestand_study::pair::rotate;
 
 use super::convert::{shown, write};
@@ -27,14 +27,19 @@ impl Tell for Rotate {
 
     fn tell(
         Meant {
-            asked: (read, request, format),
+            asked:
+                Turning {
+                    pair,
+                    request,
+                    format,
+                },
             inputs,
         }: Self::Meant,
         (): &(),
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        let turned = rotate(&read, &request)?;
+        let turned = rotate(&pair, &request)?;
         let files = Files::begin(global, &inputs)?;
         let done = &turned.processed;
         let motion = write(

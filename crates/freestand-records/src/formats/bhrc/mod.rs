@@ -80,9 +80,9 @@ fn component(
         .take(TEXT_LINES - 1)
         .map(|line| line.text())
         .collect();
-    let (npts, dt_s, line_of_step) = npts_and_step(&text, title.number)?;
+    let Sampling { count, dt_s, line } = sampling(&text, title.number)?;
     rest.by_ref().take(NUMBER_LINES).for_each(drop);
-    let block = VALUES.read(rest, npts, "acceleration")?;
+    let block = VALUES.read(rest, count, "acceleration")?;
     notes.extend(block.refuse_missing(VALUES, is_missing_value)?);
     // The letter is alone on its line.
     let name = text
@@ -95,14 +95,22 @@ fn component(
     Found {
         direction: direction(&text, &name),
         station: station(title, &text),
-        ..Found::new(name, TENTHS_OF_G, (dt_s, line_of_step), block)
+        ..Found::new(name, TENTHS_OF_G, (dt_s, line), block)
     }
     .component(options)
 }
 
+/// How a record is sampled.
+struct Sampling {
+    count: usize,
+    dt_s: f64,
+    /// The line that says so.
+    line: usize,
+}
+
 /// `NO OF POINTS = 6013  DURATION = 30.065 SEC`: the line that names the duration, else the
 /// eleventh of the header.
-fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, usize), Problem> {
+fn sampling(text: &[String], line_of_title: usize) -> Result<Sampling, Problem> {
     let at = text
         .iter()
         .position(|line| line.to_ascii_uppercase().contains("DURATION"))
@@ -119,7 +127,11 @@ fn npts_and_step(text: &[String], line_of_title: usize) -> Result<(usize, f64, u
         && count.value.fract() == 0.0
         && duration.value > 0.0
     {
-        return Ok((count.value as usize, step(count.value, *duration), line));
+        return Ok(Sampling {
+            count: count.value as usize,
+            dt_s: step(count.value, *duration),
+            line,
+        });
     }
     Err(Problem::format(
         "the header does not state the number of values and the duration",

@@ -42,11 +42,15 @@ pub(super) fn read(bytes: &[u8], path: &Path, options: &ReadOptions) -> Result<R
     let (line_of_step, _) = header.value("sampling freq")?;
     let dt_s = step_of_rate(rate_hz, line_of_step)?;
     let scale = header.scale()?;
-    let (name, direction, borehole) = component(&header, path);
+    let Channel {
+        name,
+        direction,
+        is_in_borehole,
+    } = component(&header, path);
     let mut block = read_counts(&mut rest)?;
     let mut notes = Vec::new();
     notes.extend(check_duration(&header, rate_hz, block.values.len())?);
-    if borehole {
+    if is_in_borehole {
         let words = "recorded at the bottom of a borehole, not at the surface";
         notes.push(Note::of(&name, NoteKind::Borehole, words));
     }
@@ -172,15 +176,33 @@ fn parse_scale(text: &str) -> Option<Scale> {
     sensible.then_some(Scale { per_count, unit })
 }
 
+/// What a channel measures.
+struct Channel {
+    name: String,
+    direction: Option<Direction>,
+    is_in_borehole: bool,
+}
+
+impl Channel {
+    /// One of which no more is known than its name.
+    fn named(name: String) -> Self {
+        Self {
+            name,
+            direction: None,
+            is_in_borehole: false,
+        }
+    }
+}
+
 /// Name, direction, and whether the sensor is at the bottom of a borehole.
 ///
 /// KiK-net numbers its channels 1 to 3 in the borehole and 4 to 6 at the surface, in the order
 /// north, east, up. The names of its files end with `NS1` to `UD2`, which become the names of the
 /// components.
-fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) {
+fn component(header: &Header, path: &Path) -> Channel {
     let text = header.value("dir").map_or("", |(_, text)| text);
     let name = match text {
-        "" => return (file_stem(path), None, false),
+        "" => return Channel::named(file_stem(path)),
         "1" => "NS1",
         "2" => "EW1",
         "3" => "UD1",
@@ -191,11 +213,13 @@ fn component(header: &Header, path: &Path) -> (String, Option<Direction>, bool) 
     };
     // A number here is a channel, not an azimuth.
     if name.bytes().all(|b| b.is_ascii_digit()) {
-        return (name.to_owned(), None, false);
+        return Channel::named(name.to_owned());
     }
-    match name.strip_suffix(['1', '2']).and_then(Direction::parse) {
-        Some(direction) => (name.to_owned(), Some(direction), name.ends_with('1')),
-        None => (name.to_owned(), Direction::parse(name), false),
+    let numbered = name.strip_suffix(['1', '2']).and_then(Direction::parse);
+    Channel {
+        name: name.to_owned(),
+        direction: numbered.or_else(|| Direction::parse(name)),
+        is_in_borehole: numbered.is_some() && name.ends_with('1'),
     }
 }
 

@@ -17,7 +17,7 @@ use crate::notes::{Note, NoteKind};
 use crate::text::fixed_width::{Block, Format};
 use crate::text::fortran::is_missing_value;
 use crate::text::lines::{Line, Lines, lines};
-use crate::text::pairs;
+use crate::text::pairs::{self, Even};
 use crate::text::units::decide;
 use freestand::G0_M_S2;
 use freestand::motion::MAX_SAMPLES;
@@ -283,7 +283,7 @@ fn read_pairs(
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);
-    let (dt_s, values, note) = pairs.evenly(&name, options.uneven_dt_s, room)?;
+    let Even { dt_s, values, note } = pairs.evenly(&name, options.uneven_dt_s, room)?;
     let block = Block { values, first_line };
     // A step from the user is for files that do not state one; here the times do.
     found(

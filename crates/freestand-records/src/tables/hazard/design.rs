@@ -4,7 +4,7 @@ use freestand_input::problem::Problem;
 use serde_json::Value as Json;
 
 use super::numbers::{Value, spectrum};
-use super::sites::{Site, Wanted, chosen};
+use super::sites::{Chosen, Site, Wanted, chosen};
 use super::usgs::{document, numbers, request, site_of};
 use super::{CodeValues, HazardFormat, ReturnSpectrum, SiteHazard};
 
@@ -47,7 +47,7 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
         name: None,
         at: site,
     }];
-    let (_, distance_km) = chosen(&sites, wanted)?;
+    let Chosen { distance_km, .. } = chosen(&sites, wanted)?;
     let mut out = SiteHazard {
         at: site,
         distance_km,

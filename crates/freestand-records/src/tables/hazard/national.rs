@@ -4,7 +4,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::numbers::{PGV_M_S, Value, at_return_periods};
-use super::sites::{Site, Wanted, chosen};
+use super::sites::{Chosen, Site, Wanted, chosen};
 use super::table::{Head, Row, Table};
 use super::{CodeValues, GroundMeasure, HazardFormat, SiteHazard};
 
@@ -117,7 +117,8 @@ pub(super) fn ts1170_5(table: &Table, wanted: &Wanted) -> Result<SiteHazard, Pro
             });
         }
     }
-    let (index, _) = chosen(&sites, wanted).map_err(|problem| problem.at_line(head.line))?;
+    let Chosen { index, .. } =
+        chosen(&sites, wanted).map_err(|problem| problem.at_line(head.line))?;
     let name = sites[index].name.clone().unwrap_or_default();
     let mut levels: Vec<(TsRow, Value)> = Vec::new();
     let rows = table.rows.iter().filter(|row| {

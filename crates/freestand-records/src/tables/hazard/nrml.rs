@@ -7,7 +7,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use super::numbers::{
     Exceedance, Value, coordinates, curve, measure, return_period, spectrum, years,
 };
-use super::sites::{Site, Wanted, chosen};
+use super::sites::{Chosen, Site, Wanted, chosen};
 use super::{
     Coordinates, Curve, GroundMeasure, HazardFormat, ReturnSpectrum, SiteHazard, Statistic,
 };
@@ -91,7 +91,7 @@ pub(super) fn read(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, Problem>
             });
         }
     }
-    let (index, distance_km) = chosen(&sites, wanted)?;
+    let Chosen { index, distance_km } = chosen(&sites, wanted)?;
     let mut out = SiteHazard {
         sites: sites.len(),
         at: sites[index].at,
@@ -228,14 +228,19 @@ fn investigation(one: &Found) -> Result<f64, Problem> {
     years(text)
 }
 
+/// A list of values.
+struct Listed<'d> {
+    /// Where it stands.
+    node: Option<Node<'d, 'd>>,
+    /// What it is called.
+    name: &'static str,
+}
+
 /// Two lists of one length.
-fn pairs(
-    document: &Document,
-    (lists, names): ([Option<Node>; 2], [&str; 2]),
-) -> Result<Vec<(Value, Value)>, Problem> {
-    let [one, two] = lists;
-    let one = values(document, one.ok_or_else(|| missing(names[0]))?)?;
-    let two = values(document, two.ok_or_else(|| missing(names[1]))?)?;
+fn pairs(document: &Document, [one, two]: [Listed; 2]) -> Result<Vec<(Value, Value)>, Problem> {
+    let names = [one.name, two.name];
+    let of = |list: Listed| values(document, list.node.ok_or_else(|| missing(list.name))?);
+    let (one, two) = (of(one)?, of(two)?);
     if one.len() != two.len() {
         let message = format!(
             "there are {} values of {} and {} of {}",
@@ -271,8 +276,15 @@ fn hazard_curve(document: &Document, one: &Found) -> Result<Curve, Problem> {
             Problem::format(message, "download a curve of PGA, PGV or SA")
         })?,
     };
-    let lists = [levels, first(one.node, &["poE", "poEs"])];
-    let points = pairs(document, (lists, ["IML", "poE"]))?;
+    let levels = Listed {
+        node: levels,
+        name: "IML",
+    };
+    let chances = Listed {
+        node: first(one.node, &["poE", "poEs"]),
+        name: "poE",
+    };
+    let points = pairs(document, [levels, chances])?;
     let scaled = points.into_iter().map(|(x, y)| {
         let number = factor * x.number;
         (Value { number, ..x }, y)
@@ -309,11 +321,15 @@ fn uniform_spectrum(document: &Document, one: &Found) -> Result<ReturnSpectrum, 
             );
             Problem::value(message, DOWNLOAD)
         })?;
-    let lists = [
-        list(one, &["periods", "period"]),
-        first(one.node, &["IMLs", "IML"]),
-    ];
-    let points = pairs(document, (lists, ["periods", "IMLs"]))?;
+    let periods = Listed {
+        node: list(one, &["periods", "period"]),
+        name: "periods",
+    };
+    let levels = Listed {
+        node: first(one.node, &["IMLs", "IML"]),
+        name: "IMLs",
+    };
+    let points = pairs(document, [periods, levels])?;
     spectrum(
         Some(years),
         points

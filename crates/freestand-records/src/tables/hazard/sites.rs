@@ -74,8 +74,26 @@ pub(super) struct Site {
     pub(super) at: Option<Coordinates>,
 }
 
-/// The place of the site that is meant, and how far away it is \[km\].
-pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<(usize, Option<f64>), Problem> {
+/// The site that is meant.
+pub(super) struct Chosen {
+    /// Its place among the sites.
+    pub(super) index: usize,
+    /// How far away it is \[km\].
+    pub(super) distance_km: Option<f64>,
+}
+
+impl Chosen {
+    /// Not by its distance.
+    fn named(index: usize) -> Self {
+        Self {
+            index,
+            distance_km: None,
+        }
+    }
+}
+
+/// The site that is meant.
+pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<Chosen, Problem> {
     let example = sites.iter().find_map(|site| match (&site.name, site.at) {
         (_, Some(at)) => Some(at.words()),
         (Some(name), None) => Some(name.clone()),
@@ -95,12 +113,12 @@ pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<(usize, Option<f
         .map(|(k, _)| k)
         .collect();
     if let [only] = by_name[..] {
-        return Ok((only, None));
+        return Ok(Chosen::named(only));
     }
     let Some(at) = wanted.at else {
         return match (sites.len(), &wanted.name) {
             (0, _) => Err(Problem::format("the file has no site", "download it again")),
-            (1, None) => Ok((0, None)),
+            (1, None) => Ok(Chosen::named(0)),
             (_, Some(name)) if by_name.is_empty() => {
                 let message = format!("the file has no site \"{}\"", shorten(name));
                 Err(Problem::value(message, hint).of(&["place"]))
@@ -120,7 +138,7 @@ pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<(usize, Option<f
     let Some(&(nearest, km)) = found.first() else {
         // The one site of a file that does not say where it is.
         return match sites.len() {
-            1 => Ok((0, None)),
+            1 => Ok(Chosen::named(0)),
             _ => Err(
                 Problem::value("the sites of the file have names, not coordinates", hint)
                     .of(&["place"]),
@@ -159,5 +177,8 @@ pub(super) fn chosen(sites: &[Site], wanted: &Wanted) -> Result<(usize, Option<f
             None => problem,
         });
     }
-    Ok((nearest, Some(km)))
+    Ok(Chosen {
+        index: nearest,
+        distance_km: Some(km),
+    })
 }

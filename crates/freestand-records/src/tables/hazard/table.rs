@@ -4,7 +4,7 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 
 use super::numbers::Value;
-use super::sites::{Site, Wanted, chosen};
+use super::sites::{Chosen, Site, Wanted, chosen};
 use super::{Coordinates, HazardFormat, SiteHazard, numbers};
 use crate::text::lines::{lines, text_of};
 use crate::text::table::quoted_cells;
@@ -177,7 +177,7 @@ impl Table {
             })
         });
         let sites: Vec<Site> = sites.collect::<Result<_, Problem>>()?;
-        let (index, distance_km) =
+        let Chosen { index, distance_km } =
             chosen(&sites, wanted).map_err(|problem| problem.at_line(self.head.line))?;
         let site = SiteHazard {
             sites: sites.len(),

@@ -7,7 +7,7 @@ use freestand_input::quantity::shorten;
 use serde_json::Value as Json;
 
 use super::numbers::{Exceedance, PGV_M_S, Value, coordinates, curve, measure};
-use super::sites::{Site, Wanted, chosen};
+use super::sites::{Chosen, Site, Wanted, chosen};
 use super::table::{Head, Table};
 use super::{Coordinates, Curve, GroundMeasure, HazardFormat, SiteHazard};
 
@@ -221,7 +221,7 @@ pub(super) fn curves_json(bytes: &[u8], wanted: &Wanted) -> Result<SiteHazard, P
         name: None,
         at: site,
     }];
-    let (_, distance_km) = chosen(&sites, wanted)?;
+    let Chosen { distance_km, .. } = chosen(&sites, wanted)?;
     Ok(SiteHazard {
         at: site,
         distance_km,

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use freestand::fragility::{LimitState, ShockFitError};
+use freestand::fragility::{Crossing, LimitState, ShockFitError};
 use freestand_inventory::too_mild::TooMild;
 use freestand_records::tables::hazard::Statistic;
 use freestand_risk::export::{ExportDoubt, ExportFormat};
@@ -66,11 +66,10 @@ fn every_doubt_in_words() {
             runs: 5,
             reasons: names(&["it flies", "it spins", "it bounces", "it hums"]),
         },
-        FitDoubt::Crossing {
-            one: LimitState::Exceeds,
-            other: state,
+        FitDoubt::Crossing(Crossing {
+            states: [LimitState::Exceeds, state],
             intensity: 0.4935,
-        },
+        }),
         FitDoubt::Misfit { p_value: 0.005 },
         FitDoubt::NotIncreasing(state),
         FitDoubt::OnlyBounds(state),

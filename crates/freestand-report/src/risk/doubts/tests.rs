@@ -20,7 +20,7 @@ fn all<T: EnumCount>(listed: &[T]) {
 }
 
 /// A report without objects, with these doubts and assumptions.
-fn report(doubts: Vec<Doubt>, assumptions: Vec<Assumed>) -> RiskReport {
+fn report(doubts: Vec<RiskDoubt>, assumptions: Vec<RiskAssumption>) -> RiskReport {
     RiskReport {
         years: 50.0,
         currency: None,
@@ -74,67 +74,72 @@ fn every_doubt_in_words() {
     ];
     all(&without);
     let mut doubts = vec![
-        Doubt::Curves(vec![few("a"), few("b")]),
-        Doubt::Hazard(HazardDoubt::IdleSite),
-        Doubt::Cost(CostDoubt::OfList("row 3 is odd".to_owned())),
-        Doubt::BeginsTooHigh {
+        RiskDoubt::Curves(vec![few("a"), few("b")]),
+        RiskDoubt::Hazard(HazardDoubt::IdleSite),
+        RiskDoubt::Cost(CostDoubt::OfList("row 3 is odd".to_owned())),
+        RiskDoubt::BeginsTooHigh {
             first: 0.123_456,
             ids: one.clone(),
         },
-        Doubt::EndsTooLow {
+        RiskDoubt::EndsTooLow {
             last: 1.234_56,
             share: 0.3456,
             ids: many.clone(),
         },
     ];
-    doubts.extend(gaps.map(|gap| Doubt::NotResolved {
+    doubts.extend(gaps.map(|gap| RiskDoubt::NotResolved {
         gap,
         ids: many.clone(),
     }));
     doubts.extend([
-        Doubt::WouldTell {
+        RiskDoubt::WouldTell {
             from: 0.01,
             to: 2.0,
             count: 37,
         },
-        Doubt::WithoutCosts(many.clone()),
-        Doubt::WithoutFragility(one.clone()),
+        RiskDoubt::WithoutCosts(many.clone()),
+        RiskDoubt::WithoutFragility(one.clone()),
     ]);
-    doubts.extend(unjudged.concat().into_iter().map(|why| Doubt::Unjudged {
-        why,
-        ids: one.clone(),
-    }));
+    doubts.extend(
+        unjudged
+            .concat()
+            .into_iter()
+            .map(|why| RiskDoubt::Unjudged {
+                why,
+                ids: one.clone(),
+            }),
+    );
     doubts.extend([
-        Doubt::UnknownWorth(options(0)),
-        Doubt::UnknownWorth(options(2)),
-        Doubt::UnknownFalls(options(0)),
-        Doubt::UnknownFalls(options(2)),
+        RiskDoubt::UnknownWorth(options(0)),
+        RiskDoubt::UnknownWorth(options(2)),
+        RiskDoubt::UnknownFalls(options(0)),
+        RiskDoubt::UnknownFalls(options(2)),
     ]);
-    doubts.extend(without.map(Doubt::NoPortfolio));
-    doubts.extend([1, 2].map(|left_out| Doubt::WorldsLeftOut {
+    doubts.extend(without.map(RiskDoubt::NoPortfolio));
+    doubts.extend([1, 2].map(|left_out| RiskDoubt::WorldsLeftOut {
         left_out,
         worlds: 6,
     }));
     doubts.extend([
-        Doubt::FailsAtLowest {
+        RiskDoubt::FailsAtLowest {
             lowest: 0.123_456,
             failing: 3,
             motions: 40,
         },
-        Doubt::LeastAlone(many),
+        RiskDoubt::LeastAlone(many),
     ]);
     all(&doubts);
     let assumed = vec![
-        Assumed::Years(50.0),
-        Assumed::OneDispersion,
-        Assumed::Replicates(1000),
-        Assumed::Place,
-        Assumed::HazardGoesOn,
-        Assumed::NothingAccepted,
-        Assumed::OneOfEach(1),
-        Assumed::OneOfEach(2),
-        Assumed::PaidOnce(1),
-        Assumed::PaidOnce(2),
+        RiskAssumption::Years(50.0),
+        RiskAssumption::OneDispersion,
+        RiskAssumption::Replicates(1000),
+        RiskAssumption::Place,
+        RiskAssumption::HazardGoesOn,
+        RiskAssumption::NothingAccepted,
+        RiskAssumption::OneOfEach(1),
+        RiskAssumption::OneOfEach(2),
+        RiskAssumption::PaidOnce(1),
+        RiskAssumption::PaidOnce(2),
     ];
     all(&assumed);
     let report = report(doubts, assumed);

@@ -92,7 +92,7 @@ fn buildings_come_from_tables_on_either_axis() {
     let tables: Vec<(bool, &str)> = building
         .tables
         .iter()
-        .map(|(across, table)| (*across, table.key))
+        .map(|table| (table.is_across, table.key))
         .collect();
     assert_eq!(tables, [(false, "storey_table"), (true, "mode_table")]);
 

@@ -375,7 +375,7 @@ fn separate_curves_that_cross_say_where() {
         log_likelihood: 0.0,
         score_per_run: 0.0,
     };
-    let (_, _, at) = fit.crossing(0.01, 100.0).unwrap();
+    let at = fit.crossing(0.01, 100.0).unwrap().intensity;
     assert!((at - 1.5_f64.powf(-1.0 / 3.0)).abs() < 1e-12, "{at}");
     assert!(
         (lognormal_probability(at, 1.0, 0.2) - lognormal_probability(at, 1.5, 0.8)).abs() < 1e-12

@@ -1,7 +1,7 @@
 use crate::code_spectrum::{Nzs1170_5, SubsoilClass};
 use crate::motion::Motion;
 use crate::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
-use crate::worlds::{GroundSpread, SpreadOptions, world_motion};
+use crate::worlds::{GroundSpread, SpreadOptions, WorldDraw, world_motion};
 
 use super::*;
 
@@ -129,7 +129,18 @@ fn the_worlds_have_the_pulses_of_the_law() {
 fn motion(pulses: Option<&Pulses>, spectra: &crate::worlds::WorldSpectra, world: u32) -> Motion {
     let lowered = |t: f64| pulses.map_or(target(t), |pulses| pulses.under_sa_g(None, t, target(t)));
     let matcher = QuickMatcher::new(&SynthesisOptions::default()).unwrap();
-    world_motion(lowered, spectra, Component::X, (1, world, 0), &matcher).unwrap()
+    world_motion(
+        lowered,
+        spectra,
+        Component::X,
+        WorldDraw {
+            seed: 1,
+            world,
+            repetition: 0,
+        },
+        &matcher,
+    )
+    .unwrap()
 }
 
 /// The mean of ln Sa over worlds with and without pulses is that of worlds without a fault. Every world is taken with
