@@ -178,6 +178,12 @@ impl<S: Simd> Math<S> {
         each!(i, self.0.not_m64s(a[i]))
     }
 
+    /// `yes` where the mask is true, else `no`.
+    #[inline(always)]
+    pub fn select_mask(self, mask: Masks<S>, yes: Masks<S>, no: Masks<S>) -> Masks<S> {
+        self.or(self.and(mask, yes), self.and(self.not(mask), no))
+    }
+
     /// `yes` where the mask is true, else `no`. The library's own for f64 is a call in builds for
     /// tests, which takes five sixths of their time.
     #[inline(always)]
@@ -188,6 +194,12 @@ impl<S: Simd> Math<S> {
             self.0
                 .transmute_f64s_u64s(self.0.select_u64s(mask[i], bits(yes[i]), bits(no[i])))
         )
+    }
+
+    /// The sum over all lanes, of numbers whose sum is exact in any order.
+    #[inline(always)]
+    pub fn sum(self, a: Numbers<S>) -> f64 {
+        self.0.reduce_sum_f64s(self.0.add_f64s(a[0], a[1]))
     }
 
     /// Whether the mask is true anywhere.

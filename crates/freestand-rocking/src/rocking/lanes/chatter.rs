@@ -34,12 +34,14 @@ const SHORT: f64 = 5e-5;
 impl Acting {
     /// Whether a flight that starts at the speed `w` may be certain to land within the time `left`:
     /// under the least pull alone it lasts 2w/E.
+    #[inline(always)]
     pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
         2.2 * w <= left * self.e.least(left)
     }
 
     /// The flight that starts at the speed `w`; `None` unless it is short, lower than `lower_than`,
     /// and certain to land within the time `left`.
+    #[inline(always)]
     pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
         let (e, d) = (self.e.now, self.d.now);
         let least = self.e.least(left);
@@ -63,16 +65,19 @@ impl Acting {
         }
         // y/x.
         let (c0, c1) = (w, -0.5 * e);
-        let c2 = (d * w - e1) / 6.0;
-        let c3 = (d1 * w + d * c1 + 0.5 * e * w * w) / 12.0;
-        let c4 = (d * c2 + d1 * c1 - 0.5 * e * w * e) / 20.0;
-        let c5 = (d * c3 + d1 * c2 + 0.125 * e * e * e) / 30.0;
+        let c2 = (d * w - e1) * (1.0 / 6.0);
+        let c3 = (d1 * w + d * c1 + 0.5 * e * w * w) * (1.0 / 12.0);
+        let c4 = (d * c2 + d1 * c1 - 0.5 * e * w * e) * (1.0 / 20.0);
+        let c5 = (d * c3 + d1 * c2 + 0.125 * e * e * e) * (1.0 / 30.0);
         // The landing under E alone, and the effect of D for a constant pull; then one step of
         // Newton's method.
         let ballistic = 2.0 * w * inverse;
-        let x = ballistic * (flight_ratio(epsilon) + d * ballistic * ballistic / 12.0);
-        let value = c0 + x * (c1 + x * (c2 + x * (c3 + x * (c4 + x * c5))));
-        let slope = c1 + x * (2.0 * c2 + x * (3.0 * c3 + x * (4.0 * c4 + x * 5.0 * c5)));
+        let x = ballistic * (flight_ratio(epsilon) + d * (ballistic * ballistic) * (1.0 / 12.0));
+        // By pairs of terms: a shorter chain than term by term.
+        let square = x * x;
+        let value = (c0 + x * c1) + square * ((c2 + x * c3) + square * (c4 + x * c5));
+        let slope =
+            (c1 + x * (2.0 * c2)) + square * ((3.0 * c3 + x * (4.0 * c4)) + square * (5.0 * c5));
         let step = value / slope;
         let x = x - step;
         // At the landing y/x is zero, and dy/dx is x times the slope of y/x, which the step of
@@ -85,6 +90,7 @@ impl Acting {
     }
 
     /// The same, `time` later.
+    #[inline(always)]
     pub(super) fn after(self, time: f64) -> Self {
         Self {
             e: self.e.after(time),
@@ -98,6 +104,7 @@ const SMALL_EPSILON: f64 = 0.02;
 
 /// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first omitted
 /// term is 42(⅔ε)⁵ < 2e-8.
+#[inline(always)]
 fn flight_ratio(epsilon: f64) -> f64 {
     let a = 2.0 / 3.0 * epsilon;
     let square = a * a;
@@ -106,15 +113,18 @@ fn flight_ratio(epsilon: f64) -> f64 {
 
 impl Pull {
     /// The smallest pull within the time `left`.
+    #[inline(always)]
     fn least(self, left: f64) -> f64 {
         self.now.min(self.now + left * self.slope)
     }
 
     /// An upper bound of its magnitude within the time `left`.
+    #[inline(always)]
     fn strongest(self, left: f64) -> f64 {
         self.now.abs() + left * self.slope.abs()
     }
 
+    #[inline(always)]
     fn after(self, time: f64) -> Self {
         Self {
             now: self.now + time * self.slope,
@@ -133,8 +143,9 @@ pub(super) struct Trace {
 /// Number of impacts until the speed after one is at most `rest`, from the speed `w` after an
 /// impact, with which the block starts to rotate about the first of the `edges`. `None` unless all
 /// are certain to occur within the time `left` and to exceed no extreme in `traces`.
+#[inline(always)]
 pub(super) fn impacts_to_rest(
-    edges: [Acting; 2],
+    edges: [&Acting; 2],
     r: f64,
     w: f64,
     left: f64,
@@ -152,8 +163,9 @@ pub(super) fn impacts_to_rest(
     for (acting, trace) in edges.iter().zip(traces) {
         let least = acting.e.least(left);
         let square = 0.5 * fastest * fastest;
-        let holds = least > 0.0
-            && 2.0 * fastest <= least * slowing * left
+        // Most often it is the time that does not suffice.
+        let holds = 2.0 * fastest <= least * slowing * left
+            && least > 0.0
             && acting.e.slope.abs() * w <= CHANGE * slowing * least * least
             && acting.d.strongest(left) * square <= PART * least * least
             && square < least * trace.height
@@ -176,6 +188,7 @@ const SMALL_CHANGE: f64 = 0.01;
 /// a ball on a table under changing gravity. With ln(2 − τ) = ⅔ε − 10/9 ε² + … the sum over all
 /// flights consists of geometric series, taken to the second order. The contribution of y to the
 /// pull conserves energy about each edge and drops out.
+#[inline(never)]
 fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
     let mut followed = 0;
     loop {

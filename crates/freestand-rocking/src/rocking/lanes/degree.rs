@@ -18,7 +18,7 @@ pub(super) struct Degree {
     /// with an event to the queue.
     pub(super) advance: [AdvanceRanks; 2],
     /// Takes each of the first lanes of a batch to its next event, or to the end of the step.
-    pub(super) solve: fn(Arch, &mut Batch, &Interval, usize),
+    pub(super) solve: fn(Arch, &mut Batch, &Interval, f64, usize),
 }
 
 /// Degrees that the kernel is compiled for.
@@ -74,69 +74,96 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
         let m = Math(simd);
         let (u, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
         let (v, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
-        let (half, zero, one) = (m.splat(0.5), m.splat(0.0), m.splat(1.0));
-        let pairs = Column::<ABREAST>::pairs::<S>();
-        for rank in &mut *ranks {
-            for i in 0..pairs {
-                let (y, w, best) = (
-                    rank.y.get::<S>(i),
-                    rank.w.get::<S>(i),
-                    rank.best.get::<S>(i),
-                );
-                let (alpha, x2, side) = (
-                    rank.alpha.get::<S>(i),
-                    rank.x2.get::<S>(i),
-                    rank.side.get::<S>(i),
-                );
-                let local = Ground {
-                    su: m.mul(side, u),
-                    su_change: m.mul(side, u_change),
-                    v,
-                    v_change,
-                };
-                let series =
-                    Series::<S, K>::new::<VERTICAL>(m, y, w, Edge { alpha, x2 }, local, |pull| {
-                        pull
-                    });
-                let (y1, w1) = series.end(m);
-                let bend = series.bend(m);
-                let half_bend = m.mul(half, bend);
-                let reach = m.add(m.abs(w), half_bend);
-                let top = m.add(y, reach);
-                // Above the floor throughout: too high to reach it, or going up too fast to come
-                // back.
-                let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
-                // Below π/2, or below the wall.
-                let calm = m.and(above, m.gt(rank.ceiling.get::<S>(i), top));
-                let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
-                // A maximum that may be the largest so far is an event, too.
-                let uneventful = m.and(calm, m.not(turning));
-                rank.y.set::<S>(i, m.select(uneventful, y1, y));
-                rank.w.set::<S>(i, m.select(uneventful, w1, w));
-                rank.event.set::<S>(i, m.select(uneventful, zero, one));
-            }
-        }
-        // Separate from the loop above, where this branch would have to wait for a whole step and
-        // be mispredicted for every third vector. Each place is written, but counted only if its
-        // lane has an event: a branch would be mispredicted as often.
-        for (i, rank) in ranks.iter().enumerate() {
-            if (0..pairs).any(|pair| m.any(m.gt(rank.event.get::<S>(pair), zero))) {
-                let (mut places, mut count) = ([0; ABREAST], 0);
-                for (lane, event) in rank.event.iter().enumerate() {
-                    places[count] = (i * ABREAST + lane) as u32;
-                    count += usize::from(*event != 0.0);
+        let (half, zero) = (m.splat(0.5), m.splat(0.0));
+        for ranks in ranks.chunks_mut(RANKS) {
+            let mut events = zero;
+            for (place, rank) in ranks.iter_mut().enumerate() {
+                let scale = m.splat(SCALES[place]);
+                for i in 0..Column::<ABREAST>::pairs::<S>() {
+                    let (y, w, best) = (
+                        rank.y.get::<S>(i),
+                        rank.w.get::<S>(i),
+                        rank.best.get::<S>(i),
+                    );
+                    let (alpha, x2, side) = (
+                        rank.alpha.get::<S>(i),
+                        rank.x2.get::<S>(i),
+                        rank.side.get::<S>(i),
+                    );
+                    let local = Ground {
+                        su: m.mul(side, u),
+                        su_change: m.mul(side, u_change),
+                        v,
+                        v_change,
+                    };
+                    let series = Series::<S, K>::new::<VERTICAL>(
+                        m,
+                        y,
+                        w,
+                        Edge { alpha, x2 },
+                        local,
+                        |pull| pull,
+                    );
+                    let (y1, w1) = series.end(m);
+                    let bend = series.bend(m);
+                    let half_bend = m.mul(half, bend);
+                    let reach = m.add(m.abs(w), half_bend);
+                    let top = m.add(y, reach);
+                    // Above the floor throughout: too high to reach it, or going up too fast to come
+                    // back.
+                    let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
+                    // Below π/2, or below the wall.
+                    let calm = m.and(above, m.gt(rank.ceiling.get::<S>(i), top));
+                    let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
+                    // A maximum that may be the largest so far is an event, too.
+                    let uneventful = m.and(calm, m.not(turning));
+                    rank.y.set::<S>(i, m.select(uneventful, y1, y));
+                    rank.w.set::<S>(i, m.select(uneventful, w1, w));
+                    let bits = m.mul(scale, LANE_BITS.get::<S>(i));
+                    events = m.add(events, m.select(uneventful, zero, bits));
                 }
-                queue.extend_from_slice(&places);
-                queue.truncate(queue.len() - ABREAST + count);
+            }
+            ranks[0].events = m.sum(events) as u64;
+        }
+        // Separate from the loop above, where this branch would have to wait for a whole step.
+        for (i, ranks) in ranks.chunks(RANKS).enumerate() {
+            let mut events = ranks[0].events;
+            while events != 0 {
+                queue.push((i * RANKS * ABREAST) as u32 + events.trailing_zeros());
+                events &= events - 1;
             }
         }
     }
 }
 
-fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: &Interval, lanes: usize) {
+/// Number of ranks with a bit for each lane in one number, which is exact as an f64, too.
+const RANKS: usize = f64::MANTISSA_DIGITS as usize / ABREAST;
+
+/// The bit of each lane of a rank.
+const LANE_BITS: Column<ABREAST> = {
+    let mut bits = [1.0; ABREAST];
+    let mut lane = 1;
+    while lane < ABREAST {
+        bits[lane] = 2.0 * bits[lane - 1];
+        lane += 1;
+    }
+    Column(bits)
+};
+
+/// The bit of the first lane of each rank.
+const SCALES: [f64; RANKS] = [1.0, 65536.0, 65536.0 * 65536.0];
+
+fn solve<const K: usize>(
+    arch: Arch,
+    batch: &mut Batch,
+    ground: &Interval,
+    rest_w: f64,
+    lanes: usize,
+) {
     arch.dispatch(Solve::<K> {
         batch,
         ground,
+        rest_w,
         lanes,
     });
 }
@@ -144,6 +171,7 @@ fn solve<const K: usize>(arch: Arch, batch: &mut Batch, ground: &Interval, lanes
 struct Solve<'a, const K: usize> {
     batch: &'a mut Batch,
     ground: &'a Interval,
+    rest_w: f64,
     lanes: usize,
 }
 
@@ -153,6 +181,6 @@ impl<const K: usize> WithSimd for Solve<'_, K> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         self.batch
-            .solve::<S, K>(Math(simd), self.ground, self.lanes);
+            .solve::<S, K>(Math(simd), self.ground, self.rest_w, self.lanes);
     }
 }

@@ -6,9 +6,10 @@
 //! the sine and the cosine (`series`, `vector`); `degree` contains the code that is compiled for each
 //! degree of the series and each vector unit, and all other code is compiled once. Bounds on the
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
-//! copied to a batch (`batch`), where landings and maxima are roots of the series. From there a
-//! block comes to rest, makes short flights and its last impacts (`chatter`), or returns to its
-//! lane (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
+//! copied to a batch (`batch`), where landings and maxima are roots of the series, and where a block
+//! goes on from an impact to the end of the step if nothing else happens in it. Otherwise it comes to
+//! rest, makes short flights and its last impacts (`chatter`), or is taken to its next event
+//! (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
 //! found from maxima over spans of the motion (`shaking`, `tile/waiting`). After the motion the
 //! rest of the response follows from the conservation of energy (`quiet`).
 //!
@@ -37,6 +38,7 @@ use super::{
 use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
 use degree::DEGREES;
+use ranks::SIDES;
 use rocker::{EdgeTerms, Rocker};
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
@@ -340,6 +342,13 @@ fn plan(
     }
     let walls = WallRecord {
         restitution: restitutions,
+        press: [0, 1].map(|side| {
+            contacts[side].map_or([0.0; 2], |contact| {
+                let EdgeTerms { alpha, x2, .. } = edges[side];
+                let (sin, cos) = (alpha - contact.angle_rad).sin_cos();
+                [-x2 * sin, -x2 * SIDES[side] * cos]
+            })
+        }),
         ..WallRecord::default()
     };
     Some((plan, Rocker { edges, restitution }, walls))

@@ -27,11 +27,11 @@ pub(super) struct Rank {
     pub(super) best: Column<ABREAST>,
     /// The y that ends the motion about this edge: θ_c of a wall, or π/2.
     pub(super) ceiling: Column<ABREAST>,
-    /// 1 where the step has an event, else 0.
-    pub(super) event: Column<ABREAST>,
     /// The part of the step that has passed.
     pub(super) tau: Column<ABREAST>,
     pub(super) block: [u32; ABREAST],
+    /// The lanes that have an event in the step: a bit for each lane of this rank and of those after it.
+    pub(super) events: u64,
 }
 
 /// The numbers of vacant places: they do not move, and no y exceeds `best`, so they have no event.
@@ -43,7 +43,7 @@ const VACANT: Rank = Rank {
     side: Column([0.0; ABREAST]),
     best: Column([f64::INFINITY; ABREAST]),
     ceiling: Column([FRAC_PI_2; ABREAST]),
-    event: Column([0.0; ABREAST]),
+    events: 0,
     tau: Column([0.0; ABREAST]),
     block: [NONE; ABREAST],
 };
@@ -172,6 +172,6 @@ impl Ranks {
                 )*
             };
         }
-        copy!(y w alpha x2 side best ceiling event tau block);
+        copy!(y w alpha x2 side best ceiling tau block);
     }
 }

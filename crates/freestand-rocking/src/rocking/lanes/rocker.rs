@@ -26,6 +26,13 @@ pub(super) struct EdgeTerms {
     pub(super) ceiling: f64,
 }
 
+impl Rocker {
+    pub(super) fn is_symmetric(&self) -> bool {
+        let [a, b] = &self.edges;
+        a.alpha == b.alpha && a.x2 == b.x2 && a.ceiling == b.ceiling
+    }
+}
+
 impl EdgeTerms {
     pub(super) fn has_wall(&self) -> bool {
         self.ceiling < FRAC_PI_2

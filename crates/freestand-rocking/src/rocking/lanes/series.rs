@@ -142,28 +142,78 @@ impl<S: Simd, const K: usize> Series<S, K> {
         sum
     }
 
-    /// Whether the slope certainly falls throughout the step: 2c₂ + Σ k(k−1)|cₖ| < 0.
+    /// The end of the step, and what is certain about the way to it.
     #[inline(always)]
-    pub(super) fn is_concave(&self, m: Math<S>) -> Masks<S> {
-        m.gt(m.splat(0.0), self.curved(m, self.slope[2]))
-    }
-
-    /// Whether the slope certainly rises throughout the step: −2c₂ + Σ k(k−1)|cₖ| < 0.
-    #[inline(always)]
-    pub(super) fn is_convex(&self, m: Math<S>) -> Masks<S> {
+    pub(super) fn shape(&self, m: Math<S>) -> Shape<S> {
         let zero = m.splat(0.0);
-        m.gt(zero, self.curved(m, m.sub(zero, self.slope[2])))
-    }
-
-    /// `start` + Σ k(k−1)|cₖ| from k = 3.
-    #[inline(always)]
-    fn curved(&self, m: Math<S>, start: Numbers<S>) -> Numbers<S> {
-        let mut sum = start;
-        unroll!(N, {
-            if N >= 3 && N <= K {
-                sum = m.fma(m.abs(self.slope[N]), m.splat((N - 1) as f64), sum);
+        let (y1, w1) = self.end(m);
+        // k(k−1)|cₖ| and k(k−1)(k−2)|cₖ| from k = 4.
+        let (mut beyond_bend, mut beyond_third) = (zero, zero);
+        unroll_down!(N, {
+            if N >= 4 && N <= K {
+                let size = m.abs(self.slope[N]);
+                beyond_bend = m.fma(size, m.splat((N - 1) as f64), beyond_bend);
+                beyond_third = m.fma(size, m.splat(((N - 1) * (N - 2)) as f64), beyond_third);
             }
         });
-        sum
+        // 2c₂ + 6c₃x at both ends, and 6c₃.
+        let start = self.slope[2];
+        let third = m.add(self.slope[3], self.slope[3]);
+        let end = m.add(start, third);
+        let opens = m.gt(third, beyond_third);
+        let closes = m.gt(m.sub(zero, third), beyond_third);
+        Shape {
+            bend: self.bend(m),
+            y1,
+            w1,
+            concave: m.or(
+                m.gt(m.sub(zero, m.larger(start, end)), beyond_bend),
+                m.and(closes, m.ge(zero, start)),
+            ),
+            convex: m.or(
+                m.gt(m.smaller(start, end), beyond_bend),
+                m.and(opens, m.ge(start, zero)),
+            ),
+            opens,
+            closes,
+        }
     }
+
+    /// Whether y is certainly above 0 throughout the step, after its start: too far from the floor, or
+    /// going up too fast to come back, or speeding up.
+    #[inline(always)]
+    pub(super) fn stays_above(&self, m: Math<S>) -> Masks<S> {
+        let zero = m.splat(0.0);
+        // Σ |cₖ| from k = 4.
+        let mut beyond = zero;
+        unroll_down!(N, {
+            if N >= 4 && N <= K {
+                beyond = m.add(beyond, m.abs(self.c[N]));
+            }
+        });
+        let mut above = m.gt(self.c[3], beyond);
+        unroll_down!(N, {
+            if N <= 2 {
+                beyond = m.add(beyond, m.abs(self.c[N + 1]));
+                above = m.or(m.gt(self.c[N], beyond), m.and(m.ge(self.c[N], zero), above));
+            }
+        });
+        above
+    }
+}
+
+/// A step of y: its end, and what is certain about the way to it.
+pub(super) struct Shape<S: Simd> {
+    /// Bound of the difference between the slope and c₁.
+    pub(super) bend: Numbers<S>,
+    /// y and dy/dx at the end.
+    pub(super) y1: Numbers<S>,
+    pub(super) w1: Numbers<S>,
+    /// The slope falls throughout, or it rises throughout.
+    pub(super) concave: Masks<S>,
+    pub(super) convex: Masks<S>,
+    /// The second derivative rises throughout, or it falls throughout: the slope is below the line
+    /// between its ends, or above it.
+    pub(super) opens: Masks<S>,
+    pub(super) closes: Masks<S>,
 }

@@ -6,6 +6,7 @@ use super::trouble::Random;
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{Accuracy, Base, RockingOptions, Until, rock};
+use crate::wall::{Wall, Walls};
 
 /// Peak 3 m/s²: two halves of a cycle of 0.5 s, each a parabola, and quiet.
 fn pulse() -> Motion {
@@ -68,15 +69,15 @@ fn scalar(base: Base, options: &RockingOptions) -> [usize; 3] {
     ]
 }
 
-/// Steps of blocks that move, batches of events, and events.
-fn kernel(base: Base, options: &RockingOptions) -> [usize; 3] {
+/// Steps of blocks that move, batches of events, events, and those left to all roots of the series.
+fn kernel(base: Base, options: &RockingOptions) -> [usize; 4] {
     let (shaking, wait) = prepare(base, options).unwrap();
     let mut planned: Vec<(Plan, Rocker, WallRecord)> = furniture()
         .iter()
         .map(|block| plan(block, &shaking, options).unwrap())
         .collect();
     planned.sort_by_key(|(plan, ..)| *plan);
-    let mut sum = [0; 3];
+    let mut sum = [0; 4];
     for tile in planned.chunk_by(|(a, ..), (b, ..)| a == b) {
         let plan = tile[0].0;
         let (rockers, walls): (Vec<Rocker>, Vec<WallRecord>) = tile
@@ -96,6 +97,7 @@ fn kernel(base: Base, options: &RockingOptions) -> [usize; 3] {
             sum[0] + tile.work.steps,
             sum[1] + tile.work.batches,
             sum[2] + tile.work.events,
+            sum[3] + tile.work.intricate,
         ];
     }
     sum
@@ -154,20 +156,23 @@ fn scalar_solver_under_noise_tight() {
 fn kernel_at_rest() {
     assert_eq!(
         kernel(across(&pulse().scaled(0.1).unwrap()), &until_rest()),
-        [0, 0, 0]
+        [0, 0, 0, 0]
     );
 }
 
 #[test]
 fn kernel_under_a_pulse() {
-    assert_eq!(kernel(across(&pulse()), &until_rest()), [43326, 2542, 4726]);
+    assert_eq!(
+        kernel(across(&pulse()), &until_rest()),
+        [43326, 1474, 3145, 68]
+    );
 }
 
 #[test]
 fn kernel_under_noise_fast() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Fast)),
-        [124735, 4193, 40565]
+        [124729, 3244, 31248, 1854]
     );
 }
 
@@ -175,7 +180,7 @@ fn kernel_under_noise_fast() {
 fn kernel_under_noise_standard() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Standard)),
-        [125228, 6867, 39661]
+        [125202, 5269, 30621, 1902]
     );
 }
 
@@ -183,7 +188,7 @@ fn kernel_under_noise_standard() {
 fn kernel_under_noise_tight() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Tight)),
-        [132491, 5753, 39460]
+        [132521, 4446, 30060, 1786]
     );
 }
 
@@ -193,5 +198,25 @@ fn kernel_with_vertical_motion() {
         horizontal: Some(&noise(1)),
         vertical: Some(&noise(2)),
     };
-    assert_eq!(kernel(base, &at(Accuracy::Standard)), [122763, 3158, 31546]);
+    assert_eq!(
+        kernel(base, &at(Accuracy::Standard)),
+        [122779, 2404, 22469, 1896]
+    );
+}
+
+/// 20 mm to both walls.
+#[test]
+fn kernel_between_walls() {
+    let wall = Some(Wall::at(0.02));
+    let options = RockingOptions {
+        walls: Walls {
+            left: wall,
+            right: wall,
+        },
+        ..at(Accuracy::Standard)
+    };
+    assert_eq!(
+        kernel(across(&noise(1)), &options),
+        [142037, 5381, 37702, 1456]
+    );
 }

@@ -5,4 +5,5 @@ mod determinism;
 mod edges;
 mod effort;
 mod extremes;
+mod shape;
 mod trouble;

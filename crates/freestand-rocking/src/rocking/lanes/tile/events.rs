@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::waiting::{margin, pull};
+use super::waiting::margin;
 use super::{Lift, State, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
-use crate::rocking::lanes::batch::{CALM, LANDING, STRIKE};
+use crate::rocking::lanes::batch::{CALM, GOES_ON, Known, LANDING, STOPS, STRIKE};
 use crate::rocking::lanes::chatter::{Acting, Pull, Trace, impacts_to_rest};
 use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::rocker::EdgeTerms;
@@ -18,14 +18,27 @@ impl Tile<'_> {
     pub(super) fn events(&mut self, step: &Step, batch: &[u32]) {
         self.work.batches += 1;
         self.work.events += batch.len();
-        self.batch.gather(&self.moving, batch);
-        (self.degree.solve)(self.arch, &mut self.batch, step.ground, batch.len());
+        let known = Known {
+            rockers: self.rockers,
+            records: &self.records,
+            walls: &self.walls,
+        };
+        self.batch.gather(&self.moving, batch, known);
+        (self.degree.solve)(
+            self.arch,
+            &mut self.batch,
+            step.ground,
+            self.rest_w,
+            batch.len(),
+        );
         for (i, &lane) in batch.iter().enumerate() {
             let lane = lane as usize;
             let at = &self.batch;
             let (rank, place) = self.moving.rank_mut(lane);
             rank.best[place] = at.best[i];
-            if at.event[i] == CALM {
+            if at.turn[i] != STOPS {
+                self.turned(lane, i);
+            } else if at.event[i] == CALM {
                 rank.y[place] = at.y[i];
                 rank.w[place] = at.w[i];
                 rank.tau[place] = 0.0;
@@ -40,10 +53,79 @@ impl Tile<'_> {
         }
     }
 
+    /// After an impact from which the block goes far: it is at the end of the step, or has another event
+    /// in it.
+    #[inline(always)]
+    fn turned(&mut self, lane: usize, i: usize) {
+        let (rank, place) = self.moving.rank(lane);
+        let (block, edge) = (rank.block[place], usize::from(rank.side[place] < 0.0));
+        let (best, speed) = (self.batch.best[i], self.batch.speed[i]);
+        let counted = if self.batch.event[i] == LANDING {
+            self.count_landing(block, edge, best, speed)
+        } else {
+            self.count_strike(block, edge, speed)
+        };
+        if !counted {
+            self.give_up(lane);
+            return;
+        }
+        let at = &self.batch;
+        let (rank, place) = self.moving.rank_mut(lane);
+        rank.y[place] = at.y[i];
+        rank.w[place] = at.w[i];
+        if !at.alike {
+            rank.alpha[place] = at.other.alpha[i];
+            rank.x2[place] = at.other.x2[i];
+            rank.ceiling[place] = at.other.ceiling[i];
+        }
+        rank.side[place] = at.side[i];
+        rank.best[place] = at.other.best[i];
+        let over = at.turn[i] == GOES_ON || at.tau[i] >= 1.0;
+        rank.tau[place] = if over { 0.0 } else { at.tau[i] };
+        if !over {
+            self.again.push(lane as u32);
+        }
+    }
+
+    /// Leaves the block of a lane to the scalar solver.
+    #[cold]
+    fn give_up(&mut self, lane: usize) {
+        self.records[self.moving.block(lane) as usize].state = State::GivenUp;
+        self.moving.leave(lane);
+    }
+
+    /// Counts an impact on the floor; `false` if there were too many.
+    #[inline(always)]
+    fn count_landing(&mut self, block: u32, edge: usize, best: f64, speed: f64) -> bool {
+        let record = &mut self.records[block as usize];
+        record.impact_count += 1;
+        let side = &mut record.sides[edge];
+        side.height = best;
+        if speed > side.speed {
+            side.speed = speed;
+        }
+        record.bounced = false;
+        record.impact_count <= MAX_IMPACTS
+    }
+
+    /// Counts an impact on the wall beyond an edge; `false` if there were too many.
+    #[inline(always)]
+    fn count_strike(&mut self, block: u32, edge: usize, speed: f64) -> bool {
+        let ceiling = self.rockers[block as usize].edges[edge].ceiling;
+        let record = &mut self.records[block as usize];
+        record.sides[edge].height = ceiling;
+        record.bounced = true;
+        let wall = &mut self.walls[block as usize];
+        wall.impact_count += 1;
+        wall.speeds[edge] = wall.speeds[edge].max(speed);
+        wall.impact_count <= MAX_IMPACTS
+    }
+
     /// A step with more than one event, a maximum that is hard to find, a wall, or overturning:
     /// solved by all roots of the series.
     #[inline(never)]
     fn intricate(&mut self, step: &Step, lane: usize, c: &[f64; TERMS], rest: f64) {
+        self.work.intricate += 1;
         let Moving {
             block,
             edge,
@@ -143,23 +225,14 @@ impl Tile<'_> {
         let other = 1 - edge;
         let speed = (-w).max(0.0);
         let after = speed * rocker.restitution[other];
-        let record = &mut self.records[block as usize];
-        record.impact_count += 1;
-        let side = &mut record.sides[edge];
-        side.height = best;
-        side.speed = side.speed.max(speed);
-        if record.impact_count > MAX_IMPACTS {
-            record.state = State::GivenUp;
-            self.moving.leave(lane);
+        if !self.count_landing(block, edge, best, speed) {
+            self.give_up(lane);
             return;
         }
-        if self.walled {
-            self.walls[block as usize].bounced = false;
-            if rocker.edges.iter().any(EdgeTerms::touches_wall) {
-                let (edge, w) = self.beside_touching_wall(block, edge, after);
-                self.go_on(step, lane, edge, w, tau);
-                return;
-            }
+        if self.walled && rocker.edges.iter().any(EdgeTerms::touches_wall) {
+            let (edge, w) = self.beside_touching_wall(block, edge, after);
+            self.go_on(step, lane, edge, w, tau);
+            return;
         }
         let (edge, w, tau) = if after > self.rest_w {
             self.short_flights(step, block, other, after, tau)
@@ -217,11 +290,9 @@ impl Tile<'_> {
         let rocker = &self.rockers[block as usize];
         let ceiling = rocker.edges[edge].ceiling;
         let speed = w.max(0.0);
-        self.records[block as usize].sides[edge].height = ceiling;
-        let wall = &mut self.walls[block as usize];
-        wall.impact_count += 1;
-        wall.speeds[edge] = wall.speeds[edge].max(speed);
-        wall.bounced = true;
+        // Too many are found below.
+        self.count_strike(block, edge, speed);
+        let wall = &self.walls[block as usize];
         let after = speed * wall.restitution[edge];
         let (after, tau) = if after > self.rest_w {
             self.short_bounces(step, block, edge, after, tau)
@@ -238,7 +309,8 @@ impl Tile<'_> {
             return;
         }
         let (u, v) = step.ground.at(tau);
-        if pull(rocker, edge, u, v) > 0.0 {
+        let [by_v, by_u] = self.walls[block as usize].press[edge];
+        if by_v * v + by_u * u < 0.0 {
             self.turn(lane, edge, ceiling, 0.0, tau);
         } else {
             self.lean(step, lane, tau);
@@ -261,27 +333,20 @@ impl Tile<'_> {
     ) -> (f64, f64) {
         let rocker = &self.rockers[block as usize];
         let wall = &mut self.walls[block as usize];
-        let EdgeTerms {
-            alpha, x2, ceiling, ..
-        } = rocker.edges[edge];
+        let ceiling = rocker.edges[edge].ceiling;
         let r = wall.restitution[edge];
         let (mut w, mut tau) = (w, tau);
-        let (sin, cos) = (alpha - ceiling).sin_cos();
-        let (sin, cos) = (x2 * sin, x2 * cos);
         let (u, v) = step.ground.at(tau);
-        let (su, su1, v1) = (
-            SIDES[edge] * u,
-            SIDES[edge] * step.ground.u_change,
-            step.ground.v_change,
-        );
+        let (u1, v1) = (step.ground.u_change, step.ground.v_change);
+        let ([by_v, by_u], s) = (wall.press[edge], SIDES[edge]);
         let mut acting = Acting {
             e: Pull {
-                now: -(v * sin + su * cos),
-                slope: -(v1 * sin + su1 * cos),
+                now: by_v * v + by_u * u,
+                slope: by_v * v1 + by_u * u1,
             },
             d: Pull {
-                now: v * cos - su * sin,
-                slope: v1 * cos - su1 * sin,
+                now: s * (by_v * u - by_u * v),
+                slope: s * (by_v * u1 - by_u * v1),
             },
         };
         while w > self.rest_w && wall.impact_count < MAX_IMPACTS {
@@ -295,7 +360,7 @@ impl Tile<'_> {
             };
             if !self.quiet
                 && let Some(impacts) =
-                    impacts_to_rest([acting; 2], r, w, left, [trace; 2], self.rest_w)
+                    impacts_to_rest([&acting; 2], r, w, left, [trace; 2], self.rest_w)
             {
                 wall.impact_count += impacts;
                 return (0.0, 1.0);
@@ -366,40 +431,53 @@ impl Tile<'_> {
                 },
             }
         };
-        let mut acting = [acting_about(edge), acting_about(1 - edge)];
-        if !acting[0].is_brief(w, 1.0 - tau) {
+        let mut here = acting_about(edge);
+        if !here.is_brief(w, 1.0 - tau) {
             return (edge, w, tau);
         }
-        if edge == 1 {
-            acting.swap(0, 1);
-        }
-        while w > self.rest_w && record.impact_count < MAX_IMPACTS {
+        let mut there = acting_about(1 - edge);
+        let alike = rocker.restitution[0] == rocker.restitution[1];
+        let [mut restitution, mut other_restitution] =
+            [rocker.restitution[1 - edge], rocker.restitution[edge]];
+        let [mut trace, mut other_trace] = [record.sides[edge], record.sides[1 - edge]];
+        let mut impacts = record.impact_count;
+        let mut rests = false;
+        while w > self.rest_w && impacts < MAX_IMPACTS {
             let left = 1.0 - tau;
-            let traces = [record.sides[edge], record.sides[1 - edge]];
-            let ahead = [acting[edge], acting[1 - edge]];
             // After the motion, impacts of a block for which `tail` has no result are counted one
             // by one, as in the scalar solver.
             if !self.quiet
-                && rocker.restitution[0] == rocker.restitution[1]
-                && let Some(impacts) =
-                    impacts_to_rest(ahead, rocker.restitution[0], w, left, traces, self.rest_w)
+                && alike
+                && let Some(last) = impacts_to_rest(
+                    [&here, &there],
+                    restitution,
+                    w,
+                    left,
+                    [trace, other_trace],
+                    self.rest_w,
+                )
             {
-                record.impact_count += impacts;
-                if record.impact_count > MAX_IMPACTS {
-                    break;
-                }
-                return (edge, 0.0, 1.0);
+                impacts += last;
+                rests = impacts <= MAX_IMPACTS;
+                break;
             }
-            let Some(flight) = acting[edge].flight(w, left, traces[0].height) else {
+            let Some(flight) = here.flight(w, left, trace.height) else {
                 break;
             };
-            record.impact_count += 1;
-            let side = &mut record.sides[edge];
-            side.speed = side.speed.max(flight.speed);
-            acting = [acting[0].after(flight.time), acting[1].after(flight.time)];
-            edge = 1 - edge;
-            w = flight.speed * rocker.restitution[edge];
+            impacts += 1;
+            trace.speed = trace.speed.max(flight.speed);
+            w = flight.speed * restitution;
             tau += flight.time;
+            (here, there) = (there.after(flight.time), here.after(flight.time));
+            (trace, other_trace) = (other_trace, trace);
+            (restitution, other_restitution) = (other_restitution, restitution);
+            edge = 1 - edge;
+        }
+        record.impact_count = impacts;
+        record.sides[edge] = trace;
+        record.sides[1 - edge] = other_trace;
+        if rests {
+            (w, tau) = (0.0, 1.0);
         }
         (edge, w, tau)
     }

@@ -23,6 +23,8 @@ pub(super) struct Record {
     pub(super) sides: [Trace; 2],
     pub(super) impact_count: usize,
     pub(super) state: State,
+    /// Whether the block has met a wall since it left the floor.
+    pub(super) bounced: bool,
 }
 
 /// What a block has to do with walls; apart from its [`Record`], which every event changes.
@@ -30,11 +32,12 @@ pub(super) struct Record {
 pub(super) struct WallRecord {
     /// Restitution of an impact on the wall beyond each edge.
     pub(super) restitution: [f64; 2],
+    /// What presses a block at each wall on it, as the parts of 1 + ü_v/g and of ü_h/g:
+    /// −x² sin(α−θ_c) and −s x² cos(α−θ_c).
+    pub(super) press: [[f64; 2]; 2],
     /// Largest speed of an impact on each wall \[rad per step\].
     pub(super) speeds: [f64; 2],
     pub(super) impact_count: usize,
-    /// Whether the block has met a wall since it left the floor.
-    pub(super) bounced: bool,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -75,6 +78,8 @@ pub(super) struct Work {
     pub(super) batches: usize,
     /// Lanes in these batches.
     pub(super) events: usize,
+    /// Lanes that were left to all roots of the series.
+    pub(super) intricate: usize,
 }
 
 pub(super) struct Tile<'a> {
@@ -137,7 +142,7 @@ impl<'a> Tile<'a> {
             walled,
             queue: Vec::new(),
             again: Vec::new(),
-            batch: Batch::new(walled),
+            batch: Batch::new(walled, rockers.iter().all(Rocker::is_symmetric)),
             lifted_in: vec![NONE; shaking.intervals()],
             lifted_next: vec![NONE; rockers.len()],
             pending: Vec::new(),
@@ -175,7 +180,7 @@ impl<'a> Tile<'a> {
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
             let terms = &self.rockers[block as usize].edges[edge];
-            if self.walls[block as usize].bounced && y >= terms.alpha {
+            if record.bounced && y >= terms.alpha {
                 record.state = State::Bouncing;
             }
             if wait.is_some() {

@@ -89,20 +89,21 @@ impl Tile<'_> {
     /// The edge about which the base lifts a block at rest or takes it off the wall, and the ratio of the interval at which
     /// it does, not before the ratio `from`.
     pub(super) fn lift(&self, block: u32, whole: &Interval, from: f64) -> Option<(usize, f64)> {
-        let rocker = &self.rockers[block as usize];
         let ((u, v), (u_end, v_end)) = (whole.at(from), whole.at(1.0));
         if let State::Leaning { edge, .. } = self.records[block as usize].state {
             let edge = usize::from(edge);
-            let (now, end) = (pull(rocker, edge, u, v), pull(rocker, edge, u_end, v_end));
-            let at = if now > 0.0 {
+            let [by_v, by_u] = self.walls[block as usize].press[edge];
+            let (now, end) = (by_v * v + by_u * u, by_v * v_end + by_u * u_end);
+            let at = if now < 0.0 {
                 from
-            } else if end > 0.0 {
+            } else if end < 0.0 {
                 from + (1.0 - from) * now / (now - end)
             } else {
                 return None;
             };
             return (at < 1.0).then_some((edge, at));
         }
+        let rocker = &self.rockers[block as usize];
         let mut first: Option<(usize, f64)> = None;
         for edge in 0..2 {
             let (now, end) = (
@@ -122,14 +123,6 @@ impl Tile<'_> {
         }
         first
     }
-}
-
-/// What pulls a block at the wall beyond an edge back: (1+ü_v/g) sin(α−θ_c) + s(ü_h/g) cos(α−θ_c);
-/// positive when it leaves the wall.
-pub(super) fn pull(rocker: &Rocker, edge: usize, u: f64, v: f64) -> f64 {
-    let EdgeTerms { alpha, ceiling, .. } = rocker.edges[edge];
-    let (sin, cos) = (alpha - ceiling).sin_cos();
-    v * sin + SIDES[edge] * u * cos
 }
 
 /// How far the base is from lifting a block about an edge: (1+ü_v/g) tan α + s ü_h/g, negative when
