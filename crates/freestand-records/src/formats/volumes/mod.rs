@@ -275,11 +275,13 @@ fn read_pairs(
         let declared = of_text
             .or(of_integers[0])
             .map_or_else(|| "no".to_owned(), |count| count.to_string());
+        // A header of blank lines alone has no first line.
+        let line = pairs.first_line.max(header.first_line).max(1);
         return Err(Problem::format(
             format!("the header declares {declared} points, but the channel has {count}"),
             "the file may be cut off: fetch it again",
         )
-        .at_line(pairs.first_line.max(header.first_line)));
+        .at_line(line));
     }
     let first_line = pairs.first_line;
     let name = header.name(channel);

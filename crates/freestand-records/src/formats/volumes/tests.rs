@@ -661,3 +661,25 @@ fn what_the_header_states_is_compared() {
         ["UP: line 46 declares 11 values, but the header declares 12"]
     );
 }
+
+/// Found by fuzzing: the problem was on line 0.
+#[test]
+fn a_channel_without_samples_below_blank_lines_has_a_line() {
+    let bytes = b"\n\n\t\r\r99999999999999999999999999999999999999999999999999999999999999\r\r\r\xdc\r\r\r\r\
+          \r?R\x0c\x0c\r\x0c\x0c0\x0c\x0c\x0c\n&#i\x1a&\"\x0c\x0c\x0c&\"\x0c\x0c\x0c\x0c\x0ck\xf5\
+          \xdb@/\xf7\xf6\xf6\xfa\t\t\t\t\t\xf7\xfd\t\x89RENADIC\t\t\t\t\t\r\r999999999999999999999\
+          \x0c\x0c\x0cC\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c\x0c";
+    let error = parse_motions(bytes.to_vec(), "x".as_ref(), &ReadOptions::default()).unwrap_err();
+    let found: Vec<_> = error
+        .problems
+        .iter()
+        .map(|one| (one.line, one.message.as_str()))
+        .collect();
+    assert_eq!(
+        found,
+        [(
+            Some(1),
+            "the header declares no points, but the channel has 0"
+        )]
+    );
+}

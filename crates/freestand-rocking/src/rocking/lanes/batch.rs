@@ -11,10 +11,10 @@ use std::f64::consts::FRAC_PI_2;
 use pulp::Simd;
 
 use super::ranks::{ABREAST, Ranks, SIDES};
+use super::record::{Record, WallRecord};
 use super::rocker::Rocker;
 use super::series::{Edge, Ground, Series, Shape, TERMS};
 use super::shaking::Interval;
-use super::tile::{Record, WallRecord};
 use super::unroll::{unroll, unroll_down};
 use crate::vector::{Column, Masks, Math, Numbers};
 

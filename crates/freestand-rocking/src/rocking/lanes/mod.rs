@@ -21,6 +21,7 @@ mod chatter;
 mod degree;
 mod quiet;
 mod ranks;
+mod record;
 mod rocker;
 mod series;
 mod shaking;
@@ -39,10 +40,11 @@ use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
 use degree::DEGREES;
 use ranks::SIDES;
+use record::{Record, State, WallRecord};
 use rocker::{EdgeTerms, Rocker};
 use series::{INVERSE, TERMS};
 use shaking::Shaking;
-use tile::{Record, State, Tile, WallRecord};
+use tile::Tile;
 
 /// Largest number of blocks in a tile: enough of them have an event in the same step to fill a
 /// vector, and all of them fit in the cache.

@@ -3,12 +3,13 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::waiting::margin;
-use super::{Lift, State, Step, Tile};
+use super::{Lift, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
 use crate::rocking::lanes::batch::{CALM, GOES_ON, Known, LANDING, STOPS, STRIKE};
 use crate::rocking::lanes::chatter::{Acting, Pull, Trace, impacts_to_rest};
 use crate::rocking::lanes::ranks::{Moving, SIDES};
+use crate::rocking::lanes::record::State;
 use crate::rocking::lanes::rocker::EdgeTerms;
 use crate::rocking::lanes::series::TERMS;
 use crate::rocking::solve::reaches;

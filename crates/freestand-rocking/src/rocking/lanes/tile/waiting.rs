@@ -1,7 +1,8 @@
 //! Blocks at rest, until the base lifts them.
 
-use super::{Lift, State, Tile};
+use super::{Lift, Tile};
 use crate::rocking::lanes::ranks::{Moving, NONE, SIDES};
+use crate::rocking::lanes::record::State;
 use crate::rocking::lanes::rocker::{EdgeTerms, Rocker};
 use crate::rocking::lanes::shaking::Interval;
 
