@@ -31,7 +31,7 @@ use freestand_study::study::{
 /// digits.
 const SAME_LEVEL: f64 = 5e-3;
 
-/// Ground motions that are kept in memory: 1280 worlds of two components of 45 s take 190 MB.
+/// Ground motions that are kept in memory, and as many floors: 1280 worlds of two components of 45 s take 190 MB.
 const MAX_KEPT: usize = 1536;
 
 /// The motions of worlds, kept from one request to the next: whoever moves a slider asks about many
@@ -440,7 +440,8 @@ impl<'a> Worlds<'a> {
         }
     }
 
-    /// The same worlds, with their floors kept, as many as there is room for.
+    /// The same worlds, with their floors kept: the latest, at the intensity of the study. Where there is no room for
+    /// more, all are dropped.
     pub(crate) fn keeping_floors(&self) -> Worlds<'a> {
         let mut worlds = self.at_intensity(self.intensity_ratio);
         worlds.floors.get_or_insert_default();

@@ -1,4 +1,5 @@
-//! What there is to know beside the history of an object, as data; `freestand-report` has the sentences.
+//! What there is to know beside the history of an object, as data; `freestand-report` has the sentences,
+//! but for that of squat objects, which the warnings of studies share.
 
 use std::fmt;
 use std::ops::RangeInclusive;

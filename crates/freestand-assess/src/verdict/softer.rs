@@ -35,7 +35,8 @@ const ASSUMED_PAD_M: f64 = 0.02;
 ///
 /// An object whose pad failed is at its first worlds again. Those go on together that need the same worlds next, from
 /// the first worlds to the last ones and then again from the first: so the floors of a world are calculated for as many
-/// as possible at once, and those of the first worlds, in which most pads fail, are kept.
+/// as possible at once, and those of the first worlds, in which most pads fail, are kept while
+/// there is room.
 pub(super) fn softer(
     context: &Context,
     trials: &[Trial],

@@ -44,7 +44,7 @@ pub(super) const HULL_WORLDS: u32 = 80;
 /// alone then makes the difference.
 const SAME_SHAKING_CORRELATION: f64 = 0.75;
 
-/// Histories of objects on pads between two looks whether to stop: a second of two cores.
+/// Histories of objects on pads between two looks whether to stop: half a second of two cores.
 const ON_PADS_AT_ONCE: usize = 4096;
 
 /// What is asked of an object.
