@@ -194,7 +194,7 @@ impl Channel {
     }
 }
 
-/// Name, direction, and whether the sensor is at the bottom of a borehole.
+/// What the header says of the channel.
 ///
 /// KiK-net numbers its channels 1 to 3 in the borehole and 4 to 6 at the surface, in the order
 /// north, east, up. The names of its files end with `NS1` to `UD2`, which become the names of the

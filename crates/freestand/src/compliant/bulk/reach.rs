@@ -145,7 +145,7 @@ impl Highest<Lane> {
     }
 }
 
-/// What the edges do at an instant, or a little less: what a stretch begins with is found in it too.
+/// What the edges do at an instant, lowered a little, so that the sample that reaches it is still looked at.
 #[derive(Debug, Default)]
 pub(super) struct AtOnce<T> {
     /// The part of its load that each edge has lost, by all but x and its rate.
