@@ -431,8 +431,24 @@ impl LaneGroup {
         }
     }
 
+    /// Displacement and velocity of a lane one sample later. The same operations in the same order as
+    /// [`OscillatorStep::advance`], so the results are equal bit for bit on every vector unit: nothing is fused.
+    #[inline(always)]
+    fn step(&self, i: usize, (u, v): (f64, f64), [a0, a1]: [f64; 2]) -> (f64, f64) {
+        (
+            self.u_u[i] * u + self.u_v[i] * v + (self.u_a0[i] * a0 + self.u_a1[i] * a1),
+            self.v_u[i] * u + self.v_v[i] * v + (self.v_a0[i] * a0 + self.v_a1[i] * a1),
+        )
+    }
+
+    /// 2ζω u̇ + ω² u, the absolute acceleration of a lane with the opposite sign \[m/s²\].
+    #[inline(always)]
+    fn pull(&self, i: usize, u: f64, v: f64) -> f64 {
+        self.two_zeta_omega[i] * v + self.omega2[i] * u
+    }
+
     /// Goes on from sample to sample: the absolute accelerations \[m/s²\] and the displacements \[m\] at each but the
-    /// first; the latter only where they have a place. Operations as in `peaks`.
+    /// first; the latter only where they have a place.
     #[inline(always)]
     pub(crate) fn advance(
         &self,
@@ -444,17 +460,10 @@ impl LaneGroup {
         let (mut u, mut v) = (states.displacement_m, states.velocity_m_s);
         let mut displaced = displacement_m.iter_mut();
         for (pair, absolute) in accel_m_s2.windows(2).zip(absolute_m_s2) {
-            let (a0, a1) = (pair[0], pair[1]);
+            let pair = [pair[0], pair[1]];
             for i in 0..LANES {
-                let u1 = self.u_u[i] * u[i]
-                    + self.u_v[i] * v[i]
-                    + (self.u_a0[i] * a0 + self.u_a1[i] * a1);
-                let v1 = self.v_u[i] * u[i]
-                    + self.v_v[i] * v[i]
-                    + (self.v_a0[i] * a0 + self.v_a1[i] * a1);
-                u[i] = u1;
-                v[i] = v1;
-                absolute[i] = -(self.two_zeta_omega[i] * v1 + self.omega2[i] * u1);
+                (u[i], v[i]) = self.step(i, (u[i], v[i]), pair);
+                absolute[i] = -self.pull(i, u[i], v[i]);
             }
             if let Some(displaced) = displaced.next() {
                 *displaced = u;
@@ -463,27 +472,18 @@ impl LaneGroup {
         (states.displacement_m, states.velocity_m_s) = (u, v);
     }
 
-    /// The same operations in the same order as [`OscillatorStep::advance`], so the results are
-    /// equal bit for bit on every processor: vector units only process several lanes at a time, and
-    /// nothing is fused. Inlined into the code that `pulp` compiles for each vector unit.
+    /// The largest displacement \[m\] and absolute acceleration \[m/s²\] of each lane, from rest. Inlined into the code that
+    /// `pulp` compiles for each vector unit.
     #[inline(always)]
     fn peaks(&self, accel_m_s2: &[f64]) -> (Lanes, Lanes) {
         let (mut u, mut v) = ([0.0_f64; LANES], [0.0_f64; LANES]);
         let (mut sd, mut sa) = ([0.0_f64; LANES], [0.0_f64; LANES]);
         for pair in accel_m_s2.windows(2) {
-            let (a0, a1) = (pair[0], pair[1]);
+            let pair = [pair[0], pair[1]];
             for i in 0..LANES {
-                let u1 = self.u_u[i] * u[i]
-                    + self.u_v[i] * v[i]
-                    + (self.u_a0[i] * a0 + self.u_a1[i] * a1);
-                let v1 = self.v_u[i] * u[i]
-                    + self.v_v[i] * v[i]
-                    + (self.v_a0[i] * a0 + self.v_a1[i] * a1);
-                u[i] = u1;
-                v[i] = v1;
-                sd[i] = larger(u1.abs(), sd[i]);
-                let absolute = self.two_zeta_omega[i] * v1 + self.omega2[i] * u1;
-                sa[i] = larger(absolute.abs(), sa[i]);
+                (u[i], v[i]) = self.step(i, (u[i], v[i]), pair);
+                sd[i] = larger(u[i].abs(), sd[i]);
+                sa[i] = larger(self.pull(i, u[i], v[i]).abs(), sa[i]);
             }
         }
         (sd, sa)

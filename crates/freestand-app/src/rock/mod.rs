@@ -1,6 +1,7 @@
 //! `rock`: one object under one motion, or under each of several.
 
 mod answer;
+mod kind;
 mod resolve;
 
 use crate::block::{GeneralBlock, Rocking};

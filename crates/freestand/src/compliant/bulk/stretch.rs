@@ -350,7 +350,7 @@ mod tests {
                     let found = weights[by];
                     // What is added for rounding, and rounding of a dozen products for each sample, with places and sums
                     // of this size.
-                    let rounding = DIFFERENCE * 10.0 * weights.iter().sum::<f64>();
+                    let rounding = DIFFERENCE * weights.iter().sum::<f64>();
                     assert!(
                         (found - worst).abs() < rounding + 1e-13 * (place + worst),
                         "{of} by {by}: {found} {worst}"
