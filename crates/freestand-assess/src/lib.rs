@@ -5,6 +5,7 @@
 
 pub mod accepted;
 pub mod assumed;
+pub mod axis;
 pub mod capacity;
 pub mod key;
 pub mod list;

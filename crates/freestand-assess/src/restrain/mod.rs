@@ -3,8 +3,9 @@
 
 mod list;
 
-pub use crate::restraint::anchors::{Anchor, AnchorForces, Pivot};
+pub use crate::restraint::anchors::{Anchor, AnchorForces};
 pub use crate::restraint::components::Component;
+pub use crate::restraint::footing::Pivot;
 pub use list::{HeldItem, HeldList, Missing, NotHeld, RestrainListRequest, restrain_list};
 
 use std::num::NonZeroUsize;
@@ -25,9 +26,12 @@ use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
 use freestand_study::target::Target;
 
+use crate::axis::Axis;
 use crate::list::floors_of;
-use crate::restraint::{Demand, HeldObject, RestraintAxis, RestraintQuestion, demands};
-use crate::result::{Axis, RestraintKind};
+use crate::restraint::anchors::of_each_anchor;
+use crate::restraint::force::RestraintForce;
+use crate::restraint::source::SourceKind;
+use crate::restraint::{HeldObject, RestraintAxis, RestraintQuestion, restraint_forces};
 use freestand_inventory::{Floors, level_of_floor};
 
 /// Factors of any code.
@@ -205,9 +209,9 @@ pub struct Case {
     /// What there is to know beside it.
     pub doubts: Vec<RestraintDoubt>,
     /// The force that counts.
-    pub own: Demand,
+    pub own: RestraintForce,
     /// The forces by other codes.
-    pub others: Vec<Demand>,
+    pub others: Vec<RestraintForce>,
 }
 
 /// The floor of an object.
@@ -364,9 +368,9 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
         ..question
     };
     check_inset(&question)?;
-    let (others, mut own): (Vec<Demand>, Vec<Demand>) = demands(&question)
+    let (others, mut own): (Vec<_>, Vec<_>) = restraint_forces(&question)
         .into_iter()
-        .partition(|demand| demand.source.kind == RestraintKind::OtherCode);
+        .partition(|force| force.source.kind == SourceKind::OtherCode);
     if own.is_empty() {
         return Err(without_code().into());
     }
@@ -415,7 +419,7 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
             .map_or("F = m a", |target| target.spectrum.name());
         doubts.push(RestraintDoubt::ComponentUnused(by));
     }
-    if own.force.anchor_tension_n <= 0.0 && own.source.kind == RestraintKind::OwnCode {
+    if own.anchor_tension_n <= 0.0 && own.source.kind == SourceKind::OwnCode {
         doubts.push(RestraintDoubt::NoTension);
     }
     let others = if request.is_compared {
@@ -777,7 +781,7 @@ impl Case {
 
     /// What each anchor carries.
     pub fn each_anchor(&self) -> AnchorForces {
-        self.own.of_each_anchor(self.request.anchors.per_edge)
+        of_each_anchor(&self.own, self.request.anchors.per_edge)
     }
 
     /// Demand over capacity of the anchor that the user has chosen.

@@ -1,41 +1,6 @@
-//! How an object stands on its anchors, what each of them carries, and what it can carry.
+//! What each anchor of an object carries, and what it can carry.
 
-use serde::Deserialize;
-
-use super::Demand;
-use crate::result::RestraintForce;
-
-/// The line about which an object tips that its anchors hold.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Pivot {
-    /// The edge of its base.
-    #[default]
-    Edge,
-    /// Its feet, through which the anchors go: it touches the floor nowhere else.
-    Feet,
-}
-
-impl Pivot {
-    /// Every value with its name and its meaning.
-    pub const ALL: [(Self, &'static str, &'static str); 2] = [
-        (Self::Edge, "edge", "the edge of the base"),
-        (
-            Self::Feet,
-            "feet",
-            "the feet, which are fixed by the anchors",
-        ),
-    ];
-}
-
-/// How an object stands on its anchors.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Footing {
-    /// Distance of the anchors from the edge, inwards; `None`: it is assumed \[m\].
-    pub inset_m: Option<f64>,
-    /// The line about which it tips.
-    pub pivot: Pivot,
-}
+use super::force::RestraintForce;
 
 /// What each anchor carries.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,13 +15,6 @@ pub struct AnchorForces {
     pub shear_concrete_n: f64,
 }
 
-impl Demand {
-    /// [`of_each_anchor`] of its force.
-    pub fn of_each_anchor(&self, anchors_per_edge: usize) -> AnchorForces {
-        of_each_anchor(&self.force, anchors_per_edge)
-    }
-}
-
 /// Of each of so many anchors along each of two edges: those of one edge share the tension, all of
 /// them the force.
 pub fn of_each_anchor(force: &RestraintForce, anchors_per_edge: usize) -> AnchorForces {
@@ -66,7 +24,7 @@ pub fn of_each_anchor(force: &RestraintForce, anchors_per_edge: usize) -> Anchor
         tension_n: force.anchor_tension_n / count,
         tension_concrete_n: force.anchor_tension_concrete_n / count,
         shear_n,
-        shear_concrete_n: force.overstrength_ratio * shear_n,
+        shear_concrete_n: force.source.overstrength_ratio() * shear_n,
     }
 }
 

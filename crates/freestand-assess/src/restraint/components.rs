@@ -3,6 +3,8 @@
 use std::sync::LazyLock;
 
 use freestand_input::words::canonical;
+use serde::de::Error as _;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// The name of the row for objects that are in no other.
 const OTHER: &str = "other";
@@ -24,7 +26,7 @@ pub struct Component {
     /// R_p of ASCE 7-16.
     pub(super) response_ratio: f64,
     /// Where a_p and R_p were read; `None`: recalled.
-    pub(super) source_16: Option<&'static str>,
+    pub source_16: Option<&'static str>,
     /// C_AR of ASCE 7-22, on or below the ground and above it.
     pub(super) resonance_ratios: [f64; 2],
     /// R_po of ASCE 7-22.
@@ -32,9 +34,26 @@ pub struct Component {
     /// Ω₀p of ASCE 7-22.
     pub(super) overstrength_ratio: f64,
     /// Where C_AR, R_po and Ω₀p were read; `None`: recalled.
-    pub(super) source_22: Option<&'static str>,
+    pub source_22: Option<&'static str>,
     /// Words by which an item of a list is recognised, in the form that is compared.
     words: Vec<String>,
+}
+
+/// As its name.
+impl Serialize for Component {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name)
+    }
+}
+
+impl<'de> Deserialize<'de> for &'static Component {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        let mut rows = Component::all().iter();
+        rows.find(|row| row.name == name).ok_or_else(|| {
+            D::Error::custom(format!("\"{name}\" is no row of the tables of ASCE 7"))
+        })
+    }
 }
 
 impl Component {

@@ -1,185 +1,185 @@
-//! The factors of a force, and who says so.
+//! The factors of a force, and who says so, as data: `freestand-report` has their symbols and the words.
 
-use freestand_input::words::number;
+use serde::{Deserialize, Serialize};
+use strum::IntoStaticStr;
 
 /// A factor of a formula.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Factor {
-    /// Its name in outputs.
-    pub key: &'static str,
-    /// Its symbol in the code.
-    pub symbol: &'static str,
-    /// Its value.
+    /// What it is.
+    pub key: FactorKey,
+    /// Its value; accelerations in g.
     pub value: f64,
-    /// `g` or `1`.
-    pub unit: &'static str,
     /// Who says so.
     pub source: FactorSource,
 }
 
+/// What the factors of the codes are, by their names in outputs; each code has its own symbols.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
+pub enum FactorKey {
+    /// The acceleration of the ground \[g\].
+    GroundAcceleration,
+    /// The acceleration of the floor \[g\].
+    FloorAcceleration,
+    /// S_DS \[g\].
+    Sds,
+    /// z/h.
+    LevelRatio,
+    /// What the height of the floor adds.
+    Height,
+    /// The period of the part over that of the building.
+    PeriodRatio,
+    /// Amplification of the part.
+    Amplification,
+    /// Reduction for the ductility of the part.
+    Response,
+    /// Importance of the part.
+    Importance,
+    /// Ω₀, for anchors in concrete.
+    Overstrength,
+    /// C_AR of ASCE 7-22.
+    Resonance,
+    /// R_po of ASCE 7-22.
+    Strength,
+    /// Reduction for the ductility of the building.
+    BuildingDuctility,
+}
+
+impl FactorKey {
+    /// The name in outputs.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// Whether it is an acceleration \[g\].
+    pub fn is_acceleration(self) -> bool {
+        matches!(
+            self,
+            Self::GroundAcceleration | Self::FloorAcceleration | Self::Sds
+        )
+    }
+}
+
 /// Who states a factor.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum FactorSource {
     /// The user.
     Given,
-    /// freestand, for this reason; may be empty.
-    Assumed(&'static str),
+    /// freestand.
+    Assumed(Assumed),
     /// It follows from this.
-    Found(&'static str),
-    /// It was read here.
-    Read(&'static str),
-    /// Nobody has read it: an engineer must confirm it; what it is for, may be empty.
-    Recalled(&'static str),
+    Found(Found),
+    /// It was read where the row of the component says.
+    Read,
+    /// Nobody has read it: an engineer must confirm it.
+    Recalled(Recalled),
 }
 
-impl FactorSource {
-    /// `given`, `assumed: a rigid bracket`, `from the hazard`.
-    pub fn words(self) -> String {
-        match self {
-            Self::Given => "given".to_owned(),
-            Self::Assumed("") => "assumed: an ordinary object".to_owned(),
-            Self::Assumed(reason) => format!("assumed: {reason}"),
-            Self::Found(from) => format!("from {from}"),
-            Self::Read(source) => format!("read: {source}"),
-            Self::Recalled("") => "to be confirmed".to_owned(),
-            Self::Recalled(reason) => format!("to be confirmed: {reason}"),
-        }
-    }
+/// Why freestand assumes a factor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Assumed {
+    /// An ordinary object.
+    Ordinary,
+    /// Life safety is rated high.
+    LifeSafety,
+    /// A rigid bracket.
+    RigidBracket,
+    /// A flexible bracket, whose period is not known.
+    FlexibleBracket,
+    /// A flexible bracket, by which the part is in resonance with the building.
+    Resonance,
+    /// A rigid part.
+    RigidPart,
+    /// A part that does not yield.
+    Elastic,
+    /// The object stands on or below the ground.
+    AtGrade,
+    /// The ductility of the building is not known.
+    UnknownDuctility,
+}
+
+/// What a factor follows from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Found {
+    /// The hazard.
+    Hazard,
+    /// The simulated earthquakes.
+    Worlds,
+    /// The floor.
+    Floor,
+    /// The floor, by a line over the height.
+    FloorAlongLine,
+    /// The floor and the period of the building.
+    FloorAndPeriod,
+    /// The floor alone: the period of the building is not known.
+    FloorWithoutPeriod,
+}
+
+/// What a factor stands for that nobody has read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Recalled {
+    /// An ordinary object.
+    Ordinary,
+    /// The row of the component.
+    Row,
+    /// Anchors in concrete, for which most codes have rules of their own.
+    Concrete,
+    /// A connection that is not shown to be ductile.
+    BrittleConnection,
+    /// Anchorage of floor-supported cabinets and book stacks.
+    Cabinet,
+    /// No reduction, where a code has one for floor-supported cabinets alone.
+    NoCabinet,
+    /// A period up to 0.75 s.
+    ShortPeriod,
+    /// The factor of the row of ASCE 7-16, from which the table of the code descends.
+    RowOfAsce7_16,
+    /// A flexible bracket: an elastic part in resonance.
+    Resonance,
+    /// A rigid part.
+    RigidPart,
+    /// A part that does not yield.
+    Elastic,
+    /// A building that does not yield.
+    ElasticBuilding,
 }
 
 impl Factor {
-    /// The stated value, or the assumed one with its reason.
+    /// The stated value, or this one by its source.
     pub(super) fn new(
-        key: &'static str,
-        symbol: &'static str,
+        key: FactorKey,
         stated: Option<f64>,
-        assumed: f64,
-        reason: &'static str,
+        value: f64,
+        source: FactorSource,
     ) -> Self {
-        let source = if stated.is_some() {
-            FactorSource::Given
-        } else {
-            FactorSource::Assumed(reason)
-        };
-        Self {
-            key,
-            symbol,
-            value: stated.unwrap_or(assumed),
-            unit: "1",
-            source,
+        match stated {
+            Some(value) => Self {
+                key,
+                value,
+                source: FactorSource::Given,
+            },
+            None => Self { key, value, source },
         }
     }
 
-    /// The stated value, or that of a table with its source; without a source nobody has read it.
-    pub(super) fn of_table(
-        key: &'static str,
-        symbol: &'static str,
-        stated: Option<f64>,
-        value: f64,
-        source: Option<&'static str>,
-    ) -> Self {
-        let from = source.map_or(
-            FactorSource::Recalled("the row of the table"),
-            FactorSource::Read,
-        );
-        let source = if stated.is_some() {
-            FactorSource::Given
+    /// The stated value, or that of a row, which somebody has read or nobody has.
+    pub(super) fn of_row(key: FactorKey, stated: Option<f64>, value: f64, is_read: bool) -> Self {
+        let source = if is_read {
+            FactorSource::Read
         } else {
-            from
+            FactorSource::Recalled(Recalled::Row)
         };
-        Self {
-            key,
-            symbol,
-            value: stated.unwrap_or(value),
-            unit: "1",
-            source,
-        }
-    }
-
-    /// The stated value, or one that nobody has read.
-    pub(super) fn recalled(
-        key: &'static str,
-        symbol: &'static str,
-        stated: Option<f64>,
-        value: f64,
-        reason: &'static str,
-    ) -> Self {
-        let source = if stated.is_some() {
-            FactorSource::Given
-        } else {
-            FactorSource::Recalled(reason)
-        };
-        Self {
-            key,
-            symbol,
-            value: stated.unwrap_or(value),
-            unit: "1",
-            source,
-        }
+        Self::new(key, stated, value, source)
     }
 
     /// A value that follows from something else.
-    pub(super) fn found(
-        key: &'static str,
-        symbol: &'static str,
-        value: f64,
-        unit: &'static str,
-        from: &'static str,
-    ) -> Self {
-        Self {
-            key,
-            symbol,
-            value,
-            unit,
-            source: FactorSource::Found(from),
-        }
+    pub(super) fn found(key: FactorKey, value: f64, from: Found) -> Self {
+        Self::new(key, None, value, FactorSource::Found(from))
     }
-
-    /// Its value to four digits.
-    pub fn number(&self) -> String {
-        number(self.value, 4)
-    }
-}
-
-/// ` Assumed: a_p = 1 (rigid). Stated in the study: R_p = 2.` with `stated` for the second title.
-pub(super) fn said(factors: &[Factor], stated: &str) -> String {
-    let list = |title: &str, wanted: fn(FactorSource) -> Option<&'static str>| {
-        let chosen = factors
-            .iter()
-            .filter_map(|factor| Some((factor, wanted(factor.source)?)));
-        let each = chosen.map(|(factor, reason)| match reason {
-            "" => format!("{} = {}", factor.symbol, factor.number()),
-            reason => format!("{} = {} ({reason})", factor.symbol, factor.number()),
-        });
-        let each: Vec<String> = each.collect();
-        if each.is_empty() {
-            String::new()
-        } else {
-            format!(" {title}: {}.", each.join(", "))
-        }
-    };
-    let assumed = list("Assumed", |source| {
-        if let FactorSource::Assumed(reason) = source {
-            Some(reason)
-        } else {
-            None
-        }
-    });
-    let read = list("Read", |source| {
-        if let FactorSource::Read(source) = source {
-            Some(source)
-        } else {
-            None
-        }
-    });
-    let recalled = list("To be confirmed by the engineer", |source| match source {
-        FactorSource::Recalled(reason) => Some(reason),
-        _ => None,
-    });
-    assumed
-        + &read
-        + &recalled
-        + &list(stated, |source| {
-            (source == FactorSource::Given).then_some("")
-        })
 }

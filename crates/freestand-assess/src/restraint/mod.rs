@@ -4,24 +4,27 @@
 use freestand::G0_M_S2;
 use freestand::block::Block;
 use freestand::code_spectrum::{Asce7Edition, CodeSpectrum};
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
+use serde::{Deserialize, Serialize};
 
-use crate::result::{Axis, RestraintForce, RestraintKind, reported_force};
+use crate::axis::Axis;
 
-use self::anchors::{Footing, Pivot};
 use self::components::Component;
-use self::sources::Source;
+use self::footing::{Footing, Pivot};
+use self::force::{RestraintForce, design_force, reported_force};
+use self::source::{Remark, Source, SourceKind};
 use self::statics::{
-    Pulled, base_shear_n, bracket, bracket_force_n, bracket_words, held_weight_ratio, worst_tension,
+    Pulled, base_shear_n, bracket, bracket_force_n, held_weight_ratio, worst_tension,
 };
 
 pub mod anchors;
 pub mod components;
 pub mod factor;
-pub mod sources;
+pub mod footing;
+pub mod force;
+pub mod source;
+mod sources;
 mod statics;
 
 /// Distance of anchors from the edge where it is not stated \[m\], an assumption: the bolt of an angle
@@ -40,7 +43,7 @@ pub fn inset_m(stated_m: Option<f64>, base_m: f64) -> f64 {
 }
 
 /// An object about one axis.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RestraintAxis {
     /// The side that lies in the plane of motion.
     pub axis: Axis,
@@ -189,36 +192,7 @@ impl RestraintQuestion {
     }
 }
 
-/// What a source demands of a restraint, with the numbers that lead to it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Demand {
-    /// Who asks for it.
-    pub source: Source,
-    /// Force, anchors and bracket.
-    pub force: RestraintForce,
-    /// The axis that needs more tension; `None` for an object without a side.
-    pub axis: Option<RestraintAxis>,
-    /// Distance of the anchors from the edge about that axis \[m\].
-    pub inset_m: f64,
-    /// Lever of the weight about the line about which the object tips \[m\].
-    pub weight_lever_m: f64,
-    /// Lever of the anchors along one edge about that line \[m\].
-    pub anchor_lever_m: f64,
-    /// F c \[N m\].
-    pub overturning_moment_n_m: f64,
-    /// H e, of the weight that holds the object down \[N m\]; 0 without an axis.
-    pub resisting_moment_n_m: f64,
-}
-
-/// The forces for the design of a restraint: [`demands`] as outputs show them.
-pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
-    demands(question)
-        .into_iter()
-        .map(|demand| demand.force)
-        .collect()
-}
-
-/// What a restraint must carry, one demand for each source: first by the study's own code, then by
+/// The forces for the design of a restraint, one for each source: first by the study's own code, then by
 /// the acceleration of the floor, then by other codes for comparison.
 ///
 /// The codes are AS 1170.4 section 8, ASCE 7-16 and 7-22 chapter 13, and Eurocode 8, NTC 2018,
@@ -242,7 +216,7 @@ pub(crate) fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintFor
 /// place of e and B − a.
 ///
 /// There is no force for an object without mass or size.
-pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
+pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let is_positive = |value: f64| value > 0.0 && value.is_finite();
     let HeldObject {
         mass_kg,
@@ -256,7 +230,7 @@ pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
     {
         return Vec::new();
     }
-    let is_own = |code: &Source| code.kind == RestraintKind::OwnCode;
+    let is_own = |code: &Source| code.kind == SourceKind::OwnCode;
     let (own, others): (Vec<Source>, Vec<Source>) =
         sources::codes(question).into_iter().partition(is_own);
     let pfa_g = question
@@ -264,29 +238,28 @@ pub(crate) fn demands(question: &RestraintQuestion) -> Vec<Demand> {
         .filter(|&pfa_g| is_positive(pfa_g));
     let floor = pfa_g.map(|pfa_g| {
         let mut floor = sources::floor(question, pfa_g);
-        let ratio = floor.force.force_ratio;
-        if let Some(code) = own.first().filter(|code| ratio > code.force.force_ratio) {
-            let times = number(ratio / code.force.force_ratio, 3);
-            floor
-                .remarks
-                .push(format!("It is {times} times the force by {}.", code.name));
+        let ratio = floor.part.force_ratio;
+        if let Some(code) = own.first().filter(|code| ratio > code.part.force_ratio) {
+            floor.remarks.push(Remark::AboveCode {
+                ratio: ratio / code.part.force_ratio,
+                clause: code.clause,
+            });
         }
         floor
     });
     own.into_iter()
         .chain(floor)
         .chain(others)
-        .map(|source| demand(question, source))
+        .map(|source| force_by(question, source))
         .collect()
 }
 
 /// What the force by a source asks of anchors and of a bracket.
-fn demand(question: &RestraintQuestion, source: Source) -> Demand {
+fn force_by(question: &RestraintQuestion, source: Source) -> RestraintForce {
     let object = &question.object;
     let weight_n = object.mass_kg * G0_M_S2;
-    let force_ratio = source.force.force_ratio;
-    let force_n = force_ratio * weight_n;
-    let concrete_n = source.overstrength_ratio * force_n;
+    let force_n = source.part.force_ratio * weight_n;
+    let concrete_n = source.overstrength_ratio() * force_n;
     let held_weight_ratio =
         held_weight_ratio(question.settings.dead_load_ratio, source.vertical_ratio);
     let held_n = held_weight_ratio * weight_n;
@@ -304,106 +277,30 @@ fn demand(question: &RestraintQuestion, source: Source) -> Demand {
     };
     let (worst, worst_in_concrete) = (tension(force_n), tension(concrete_n));
     let held = bracket(question);
-    let stated = if question.is_floor_given {
-        "Given"
-    } else {
-        "Stated in the study"
-    };
-    let note = [
-        if source.kind == RestraintKind::OtherCode {
-            "For comparison, on your spectrum. "
-        } else {
-            ""
-        },
-        &source.note(stated),
-        &held_words(question, &source, held_weight_ratio),
-        &worst.map_or_else(String::new, |(axis, _)| {
-            anchor_words(question, axis, held_weight_ratio)
-        }),
-        &bracket_words(question, &held, force_n, held_n, source.overstrength_ratio),
-        if source.overstrength_ratio == 1.0 {
-            ""
-        } else {
-            " In concrete, Ω_0 F takes the place of F."
-        },
-    ];
-    let force = RestraintForce {
-        kind: source.kind,
-        source: source.name.to_owned(),
+    let most = |worst: Option<(&RestraintAxis, f64)>| worst.map_or(0.0, |(_, tension_n)| tension_n);
+    RestraintForce {
+        weight_n,
+        cg_height_m: object.cg_height_m,
+        axis: worst.map(|(axis, _)| axis.clone()),
+        footing,
         force_n,
-        force_ratio,
+        dead_load_ratio: question.settings.dead_load_ratio,
         held_weight_ratio,
-        overstrength_ratio: source.overstrength_ratio,
-        anchor_tension_n: worst.map_or(0.0, |(_, tension_n)| tension_n),
-        anchor_tension_concrete_n: worst_in_concrete.map_or(0.0, |(_, tension_n)| tension_n),
+        anchor_tension_n: most(worst),
+        anchor_tension_concrete_n: most(worst_in_concrete),
         bracket_height_m: held.height_m,
+        too_high_bracket_m: held.too_high_m,
         bracket_force_n: bracket_force_n(force_n, object.cg_height_m, held.height_m),
         bracket_force_concrete_n: bracket_force_n(concrete_n, object.cg_height_m, held.height_m),
         bracket_base_shear_n: base_shear_n(force_n, object.cg_height_m, held.height_m),
-        note: note.concat(),
-        recalled: source.unread().into_iter().map(|one| one.what).collect(),
-    };
-    let axis = worst.map(|(axis, _)| axis.clone());
-    let of_axis = |value: &dyn Fn(&RestraintAxis) -> f64| axis.as_ref().map_or(0.0, value);
-    Demand {
         source,
-        force,
-        overturning_moment_n_m: force_n * object.cg_height_m,
-        resisting_moment_n_m: of_axis(&|axis| held_n * axis.lever_of_weight_m(footing)),
-        inset_m: of_axis(&|axis| axis.inset_m(footing.inset_m)),
-        weight_lever_m: of_axis(&|axis| axis.lever_of_weight_m(footing)),
-        anchor_lever_m: of_axis(&|axis| axis.anchor_lever_m(footing)),
-        axis,
     }
 }
 
 /// Whether the force of the code would not lift an object for which more is designed.
 pub(crate) fn is_beyond_code(forces: &[RestraintForce]) -> bool {
-    let design = crate::result::design_force(forces);
+    let design = design_force(forces);
     design.is_some_and(|design| reported_force(forces).is_some_and(|own| design != own))
-}
-
-/// ` Held down by H = (0.9 − 0.2 S_DS) W = (0.9 − 0.2) W = 0.7 W.`
-fn held_words(question: &RestraintQuestion, source: &Source, held_weight_ratio: f64) -> String {
-    let dead = number(question.settings.dead_load_ratio, 4);
-    let held = number(held_weight_ratio, 4);
-    if source.vertical_words.is_empty() {
-        format!(" Held down by H = {dead} W; nothing is deducted for vertical shaking.")
-    } else {
-        let vertical = number(source.vertical_ratio, 4);
-        format!(
-            " Held down by H = max(0, {dead} − {}) W = max(0, {dead} − {vertical}) W = {held} W.",
-            source.vertical_words
-        )
-    }
-}
-
-/// The tension of the anchors of one edge, in words.
-fn anchor_words(
-    question: &RestraintQuestion,
-    axis: &RestraintAxis,
-    held_weight_ratio: f64,
-) -> String {
-    let length = |value_m: f64| format_si(value_m, Dimension::Length);
-    let footing = question.footing();
-    let assumed = if footing.inset_m.is_some() {
-        ""
-    } else {
-        " (assumed)"
-    };
-    let inset = length(axis.inset_m(footing.inset_m));
-    let minus = match footing.pivot {
-        Pivot::Edge => inset.clone(),
-        Pivot::Feet => format!("2 × {inset}"),
-    };
-    format!(
-        " Anchors along one edge, {}, {inset} inside it{assumed}: (F × {} − {} W × {})/({} − {minus}).",
-        axis.axis.name(),
-        length(question.object.cg_height_m),
-        number(held_weight_ratio, 4),
-        length(axis.lever_of_weight_m(footing)),
-        length(axis.base_m),
-    )
 }
 
 /// Clearance that an object needs on each side while it rocks \[m\]: its highest corner moves

@@ -1,16 +1,9 @@
 //! What a horizontal force at the centre of gravity asks of anchors and of a bracket.
 
-use freestand_input::quantity::{Dimension, format_si};
-use freestand_input::words::number;
-
 use super::{Footing, RestraintAxis, RestraintQuestion};
 
 /// Height of a bracket over that of the object, where the study does not state a height.
 const BRACKET_SHARE: f64 = 0.9;
-
-/// Coefficient of friction with which feet that are not fixed may carry a force: an assumption, low
-/// for rubber or steel on a dry floor.
-pub(super) const FOOT_FRICTION_RATIO: f64 = 0.3;
 
 /// Weight that a source lets hold the object down, over its weight: max(0, d − v), with the share d
 /// of the dead load and the deduction v for vertical shaking.
@@ -95,58 +88,4 @@ pub(super) fn bracket_force_n(force_n: f64, cg_height_m: f64, bracket_height_m: 
 /// the bracket is above the centre of gravity, and with it where the bracket is below.
 pub(super) fn base_shear_n(force_n: f64, cg_height_m: f64, bracket_height_m: f64) -> f64 {
     force_n * (1.0 - cg_height_m / bracket_height_m).abs()
-}
-
-/// A bracket and the feet below it, in words; the forces in N.
-pub(super) fn bracket_words(
-    question: &RestraintQuestion,
-    held: &Held,
-    force_n: f64,
-    held_n: f64,
-    overstrength_ratio: f64,
-) -> String {
-    let length = |value_m: f64| format_si(value_m, Dimension::Length);
-    let kilonewtons = |value_n: f64| format!("{} N", number(value_n, 4));
-    let (cg_height_m, height_m) = (question.object.cg_height_m, held.height_m);
-    let shear_n = base_shear_n(force_n, cg_height_m, height_m);
-    let friction_n = FOOT_FRICTION_RATIO * held_n;
-    let limited = held.too_high_m.map_or_else(String::new, |stated_m| {
-        format!(
-            " The stated height, {}, is above the object: the bracket is taken at its top.",
-            length(stated_m)
-        )
-    });
-    let below = if cg_height_m > height_m {
-        " The bracket is below the centre of gravity: it carries more than F, and the force at the feet is reversed. \
-         Raise the bracket."
-    } else {
-        ""
-    };
-    let feet = if friction_n >= shear_n {
-        format!(
-            "friction with a coefficient of {FOOT_FRICTION_RATIO} carries {}: it suffices",
-            kilonewtons(friction_n)
-        )
-    } else {
-        let in_concrete = if overstrength_ratio == 1.0 {
-            String::new()
-        } else {
-            format!(
-                ", in concrete for {}",
-                kilonewtons(overstrength_ratio * shear_n)
-            )
-        };
-        format!(
-            "friction with a coefficient of {FOOT_FRICTION_RATIO} carries only {}: fix the feet{in_concrete}",
-            kilonewtons(friction_n)
-        )
-    };
-    format!(
-        " Or a bracket at {at}: F × {cg}/{at} = {}, the weight is not counted; at the feet F × |1 − {cg}/{at}| = \
-         {}; {feet}.{limited}{below}",
-        kilonewtons(bracket_force_n(force_n, cg_height_m, height_m)),
-        kilonewtons(shear_n),
-        at = length(height_m),
-        cg = length(cg_height_m),
-    )
 }

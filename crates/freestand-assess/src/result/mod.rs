@@ -1,7 +1,5 @@
 //! The result for one object: everything that its row, its page and the workbook show.
 
-mod restraint;
-
 use crate::capacity::Capacity;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
@@ -10,9 +8,10 @@ pub use freestand_inventory::too_mild::TooMild;
 pub use freestand_study::result::Ranked;
 pub use freestand_study::study::Unstated;
 
+pub use crate::axis::Axis;
 pub use crate::reason::Criterion;
 use crate::reason::{Note, Reason};
-pub use restraint::{RestraintForce, RestraintKind, design_force, reported_force};
+pub use crate::restraint::force::{RestraintForce, design_force, reported_force};
 
 /// The verdict: what to do with an object.
 #[derive(
@@ -426,24 +425,6 @@ impl AcceptedFor {
             Self::Default => "default",
             Self::SmallItem => "small item",
         }
-    }
-}
-
-/// The side of an object that lies in the plane of motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr)]
-#[strum(serialize_all = "kebab-case")]
-#[serde(rename_all = "kebab-case")]
-pub enum Axis {
-    /// The thickness.
-    Thickness,
-    /// The width.
-    Width,
-}
-
-impl Axis {
-    /// The name in outputs.
-    pub fn name(self) -> &'static str {
-        self.into()
     }
 }
 

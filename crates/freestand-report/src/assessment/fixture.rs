@@ -9,13 +9,18 @@ use freestand::cushion::Cushion;
 use freestand::impact::{ImpactModel, Landing};
 use freestand::rocking::Restitution;
 
+use freestand::code_spectrum::part_forces::{Governing, PartForce};
 use freestand_assess::capacity::Capacity;
 use freestand_assess::reason::{Missing, Note, Reason};
+use freestand_assess::restrain::Component;
+use freestand_assess::restraint::factor::{Factor, FactorKey, FactorSource, Recalled};
+use freestand_assess::restraint::footing::Footing;
+use freestand_assess::restraint::source::{Clause, Source, SourceKind};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
     Comparison, Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads,
-    OnRigidBase, PadOutcome, Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock,
-    ShockAnswer, Sliding, SlidingVerdict, Softening,
+    OnRigidBase, PadOutcome, Probability, RestraintForce, Rolled, Shares, Shock, ShockAnswer,
+    Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
@@ -429,29 +434,46 @@ fn answers(falls: bool, asks_shock: bool, index: usize) -> Answers {
 }
 
 pub(super) fn forces() -> Vec<RestraintForce> {
-    let force = |source: &str, force_n: f64, anchor_tension_n: f64| RestraintForce {
-        kind: if source.starts_with("ASCE") {
-            RestraintKind::OtherCode
-        } else {
-            RestraintKind::OwnCode
+    let factor = |key, value, source| Factor { key, value, source };
+    let recalled = FactorSource::Recalled(Recalled::Ordinary);
+    let force = |kind, clause, force_n: f64, anchor_tension_n: f64| RestraintForce {
+        source: Source {
+            kind,
+            clause,
+            part: PartForce {
+                force_ratio: 0.42,
+                formula_ratio: 0.42,
+                minimum_ratio: 0.0,
+                maximum_ratio: None,
+                governing: Governing::Formula,
+            },
+            vertical_ratio: 0.0,
+            factors: vec![
+                factor(FactorKey::Response, 1.0, recalled),
+                factor(FactorKey::Overstrength, 2.0, FactorSource::Given),
+            ],
+            component: Component::find("cabinet"),
+            remarks: Vec::new(),
+            to_confirm: Vec::new(),
         },
-        source: source.to_owned(),
+        weight_n: 1373.0,
+        cg_height_m: 1.15,
+        axis: None,
+        footing: Footing::default(),
         force_n,
-        force_ratio: 0.42,
+        dead_load_ratio: 0.9,
         held_weight_ratio: 0.9,
-        overstrength_ratio: 2.0,
         anchor_tension_n,
         anchor_tension_concrete_n: 2.0 * anchor_tension_n,
         bracket_height_m: 1.35,
+        too_high_bracket_m: None,
         bracket_force_n: 0.5 * force_n,
         bracket_force_concrete_n: force_n,
         bracket_base_shear_n: 0.5 * force_n,
-        note: "F = a_floor I_c a_c / R_c · W = 0.3 × 1.0 × 1.0 / 1.0 × W".to_owned(),
-        recalled: vec!["R_c".to_owned()],
     };
     vec![
-        force("AS 1170.4-2007, 8.2", 410.0, 950.0),
-        force("ASCE 7-22, 13.3.1", 530.0, 720.0),
+        force(SourceKind::OwnCode, Clause::As1170_4, 410.0, 950.0),
+        force(SourceKind::OtherCode, Clause::Asce7_22, 530.0, 720.0),
     ]
 }
 

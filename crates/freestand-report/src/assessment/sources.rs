@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::table::Line;
+use crate::restraint::force::{kind_words, source_name};
 
 /// Sources that are counted separately; further ones are counted together.
 const MAX_SOURCES: usize = 2_000;
@@ -37,7 +38,12 @@ impl Sources {
             .into_iter()
             .flat_map(|found| &found.restraint)
         {
-            self.count("restraint force", &force.source, force.kind.description());
+            let source = &force.source;
+            self.count(
+                "restraint force",
+                source_name(source),
+                kind_words(source.kind),
+            );
         }
     }
 

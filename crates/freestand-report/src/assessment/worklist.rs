@@ -420,7 +420,7 @@ mod tests {
         let item = item(0);
         let mut found = crate::assessment::fixture::assessment(&item, 0);
         found.restraint[0].anchor_tension_n = 0.0;
-        found.restraint[1].kind = freestand_assess::result::RestraintKind::Floor;
+        found.restraint[1].source.kind = freestand_assess::restraint::source::SourceKind::Floor;
         let made = |found: &Assessment| {
             task(&Line {
                 item: &item,

@@ -10,9 +10,8 @@ use freestand_output::facts::table;
 use freestand_output::table::Table;
 use freestand_output::{answer, answer_of};
 
-use super::words::{
-    ToConfirm, assumption, clause_words, doubt_words, not_held, provenance, to_confirm,
-};
+use super::force::{ToConfirm, to_confirm};
+use super::words::{assumption, clause_words, doubt_words, not_held, provenance};
 
 /// The forces of all objects of a list.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,7 +29,7 @@ pub struct RestrainListReport {
 pub fn restrain_list_report(held: HeldList) -> RestrainListReport {
     let mut unread = Vec::new();
     for case in cases(&held) {
-        for open in to_confirm(&case.own) {
+        for open in to_confirm(&case.own.source) {
             if !unread.contains(&open) {
                 unread.push(open);
             }
@@ -171,8 +170,7 @@ answer! {
 
 fn row(one: &HeldItem) -> ListRow {
     let case = one.found.as_ref().ok();
-    let demand = case.map(|case| &case.own);
-    let force = demand.map(|demand| &demand.force);
+    let force = case.map(|case| &case.own);
     let each = case.map(|case| case.each_anchor());
     let named = |name: &String| Some(name.clone()).filter(|name| !name.is_empty());
     ListRow {
@@ -184,12 +182,12 @@ fn row(one: &HeldItem) -> ListRow {
         room: named(&one.room),
         level_ratio: one.level_ratio,
         component: case.and_then(|case| Some(case.question.object.component?.name)),
-        clause: demand.map(clause_words),
+        clause: force.map(|force| clause_words(&force.source)),
         force_n: force.map(|force| force.force_n),
-        force_ratio: force.map(|force| force.force_ratio),
+        force_ratio: force.map(|force| force.force_ratio()),
         acts_at_height_m: case.map(|case| case.question.object.cg_height_m),
-        axis: demand.and_then(|demand| Some(demand.axis.as_ref()?.axis.name())),
-        anchor_inset_m: demand.map(|demand| demand.inset_m),
+        axis: force.and_then(|force| Some(force.axis.as_ref()?.axis.name())),
+        anchor_inset_m: force.map(|force| force.inset_m()),
         anchor_tension_n: force.map(|force| force.anchor_tension_n),
         anchor_tension_concrete_n: force.map(|force| force.anchor_tension_concrete_n),
         tension_of_each_n: each.map(|each| each.tension_n),
@@ -232,10 +230,10 @@ fn line(one: &HeldItem, units: UnitSystem) -> Vec<String> {
     let mut line = vec![one.row.to_string(), name(one)];
     match &one.found {
         Ok(case) => {
-            let force = &case.own.force;
+            let force = &case.own;
             line.extend([
                 units.force(force.force_n),
-                number(force.force_ratio, 3),
+                number(force.force_ratio(), 3),
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
             ]);

@@ -1,5 +1,6 @@
 //! How strongly an object must be held: the text for the console, and the sheet to print.
 
+pub(crate) mod force;
 mod list;
 mod report;
 mod sheet;

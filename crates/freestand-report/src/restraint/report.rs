@@ -1,17 +1,19 @@
 //! What `freestand restrain` answers for one object: its document, and the answer in one sentence.
 
 use freestand_assess::restrain::{Anchor, Case, Pivot};
-use freestand_assess::restraint::Demand;
 use freestand_assess::restraint::factor::Factor;
+use freestand_assess::restraint::force::RestraintForce;
+use freestand_assess::restraint::source::Source;
 use freestand_input::words::number;
 use freestand_output::answer::ByName;
 use freestand_output::answer_of;
 use freestand_study::places::Place;
 use freestand_study::target::Target;
 
+use super::force::{ToConfirm, equation, factor_source, names, numbers, symbol, to_confirm};
 use super::words::{
-    ToConfirm, assumptions, capacity_words, clause_words, doubt_words, floor_words, limits_words,
-    provenance, tension_words, to_confirm, utilisation_words,
+    assumptions, capacity_words, clause_words, doubt_words, floor_words, limits_words, provenance,
+    tension_words, utilisation_words,
 };
 
 /// The force, moments and anchors of one object.
@@ -37,7 +39,7 @@ pub fn restrain_report(case: Case) -> RestrainReport {
 /// `Design its restraint for 659 N (48 % of its weight), 1.15 m above its floor (ASCE 7-16,
 /// 13.3.1); along each edge the anchors carry 783 N of tension.`
 pub(super) fn answer(case: &Case) -> String {
-    let force = &case.own.force;
+    let force = &case.own;
     let units = case.request.units;
     let anchors = match (
         force.anchor_tension_n > 0.0,
@@ -57,15 +59,15 @@ pub(super) fn answer(case: &Case) -> String {
     format!(
         "Design its restraint for {} ({} % of its weight), {} above its floor, by {}: {anchors}.",
         units.force(force.force_n),
-        number(100.0 * force.force_ratio, 3),
+        number(100.0 * force.force_ratio(), 3),
         units.length(case.question.object.cg_height_m),
-        clause_words(&case.own),
+        clause_words(&case.own.source),
     )
 }
 
 /// The words about each anchor.
 fn anchor_words(case: &Case) -> String {
-    let (force, units) = (&case.own.force, case.request.units);
+    let (force, units) = (&case.own, case.request.units);
     let each = case.each_anchor();
     let pull = if force.anchor_tension_n > 0.0 || force.anchor_tension_concrete_n > 0.0 {
         format!(
@@ -82,7 +84,7 @@ fn anchor_words(case: &Case) -> String {
 }
 
 fn bracket_words(case: &Case) -> String {
-    let (force, units) = (&case.own.force, case.request.units);
+    let (force, units) = (&case.own, case.request.units);
     format!(
         "{} at {}, with {} at the feet",
         units.force(force.bracket_force_n),
@@ -92,8 +94,8 @@ fn bracket_words(case: &Case) -> String {
 }
 
 fn force_words(case: &Case) -> String {
-    let force = &case.own.force;
-    let share = number(force.force_ratio, 4);
+    let force = &case.own;
+    let share = number(force.force_ratio(), 4);
     let both = case.request.units.force_in_both(force.force_n);
     format!("{both}, {share} of its weight")
 }
@@ -101,8 +103,8 @@ fn force_words(case: &Case) -> String {
 /// The formula with its numbers.
 fn formula_words(case: &Case) -> String {
     let source = &case.own.source;
-    let ratio = number(source.force.formula_ratio, 4);
-    format!("{} = {ratio} W", source.numbers)
+    let ratio = number(source.part.formula_ratio, 4);
+    format!("{} = {ratio} W", numbers(source))
 }
 
 fn chosen(case: &Case) -> Option<&Anchor> {
@@ -121,43 +123,43 @@ fn axis(case: &Case) -> Option<&'static str> {
 }
 
 answer_of!(RestrainReport as report {
-    code: Option<&'static str> = report.case.own.source.code;
-    clause: &'static str = report.case.own.source.clause;
-    __: String = clause_words(&report.case.own) => "clause";
+    code: Option<&'static str> = names(report.case.own.source.clause).code;
+    clause: &'static str = names(report.case.own.source.clause).clause;
+    __: String = clause_words(&report.case.own.source) => "clause";
     __: Option<String> = report.case.target.as_ref().map(Target::parts_words) => "hazard";
     __: Option<String> = provenance(report.case.target.as_ref()) => "from";
     __: Option<String> = Some(floor_words(&report.case.floor)).filter(|floor| !floor.is_empty()) => "floor";
-    __: String = report.case.own.source.equation.clone() => "formula";
+    __: String = equation(&report.case.own.source) => "formula";
     __: String = format!("= {}", formula_words(&report.case)) => " ";
-    __: Option<String> = limits_words(&report.case.own) => "limits";
-    force_n: f64 = report.case.own.force.force_n;
+    __: Option<String> = limits_words(&report.case.own.source) => "limits";
+    force_n: f64 = report.case.own.force_n;
     /// Of its weight.
-    force_ratio: f64 = report.case.own.force.force_ratio;
+    force_ratio: f64 = report.case.own.force_ratio();
     __: String = force_words(&report.case) => "force";
     acts_at_height_m: f64 = report.case.question.object.cg_height_m;
     __: String = report.case.request.units.length(report.case.question.object.cg_height_m) => "acts at a height of";
-    overturning_moment_n_m: f64 = report.case.own.overturning_moment_n_m;
-    __: String = report.case.request.units.moment(report.case.own.overturning_moment_n_m) => "overturning moment";
-    resisting_moment_n_m: f64 = report.case.own.resisting_moment_n_m;
-    __: String = report.case.request.units.moment(report.case.own.resisting_moment_n_m) => "resisting moment";
+    overturning_moment_n_m: f64 = report.case.own.overturning_moment_n_m();
+    __: String = report.case.request.units.moment(report.case.own.overturning_moment_n_m()) => "overturning moment";
+    resisting_moment_n_m: f64 = report.case.own.resisting_moment_n_m();
+    __: String = report.case.request.units.moment(report.case.own.resisting_moment_n_m()) => "resisting moment";
     /// The axis across which it tips.
     axis: Option<&'static str> = axis(&report.case);
     __: Option<String> = axis(&report.case).map(|axis| format!("the {axis}")) => "tips across";
-    anchor_inset_m: f64 = report.case.own.inset_m;
+    anchor_inset_m: f64 = report.case.own.inset_m();
     /// Along one edge.
-    anchor_tension_n: f64 = report.case.own.force.anchor_tension_n;
-    __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_n) => "anchors along one edge";
-    anchor_tension_concrete_n: f64 = report.case.own.force.anchor_tension_concrete_n;
-    __: String = tension_words(report.case.request.units, report.case.own.force.anchor_tension_concrete_n) => "the same in concrete";
+    anchor_tension_n: f64 = report.case.own.anchor_tension_n;
+    __: String = tension_words(report.case.request.units, report.case.own.anchor_tension_n) => "anchors along one edge";
+    anchor_tension_concrete_n: f64 = report.case.own.anchor_tension_concrete_n;
+    __: String = tension_words(report.case.request.units, report.case.own.anchor_tension_concrete_n) => "the same in concrete";
     per_anchor: OfAnchor<'_> = OfAnchor(&report.case);
     __: String = anchor_words(&report.case) => "each anchor";
     anchors_per_edge: usize = report.case.request.anchors.per_edge;
     /// The line about which it tips: `edge`, `feet`.
     pivot: &'static str = pivot(&report.case);
     /// Lever of the weight about that line.
-    weight_lever_m: f64 = report.case.own.weight_lever_m;
+    weight_lever_m: f64 = report.case.own.weight_lever_m();
     /// Lever of the anchors along one edge about that line.
-    anchor_lever_m: f64 = report.case.own.anchor_lever_m;
+    anchor_lever_m: f64 = report.case.own.anchor_lever_m();
     /// The name of the anchor that was chosen.
     anchor: Option<String> = chosen(&report.case).and_then(|anchor| anchor.name.clone());
     /// Its design capacity in tension.
@@ -168,24 +170,24 @@ answer_of!(RestrainReport as report {
     /// Of one anchor in concrete: tension over capacity, and that of the shear added.
     demand_capacity_ratio: Option<f64> = report.case.demand_capacity_ratio();
     __: Option<String> = utilisation_words(&report.case) => "demand over capacity";
-    bracket_height_m: f64 = report.case.own.force.bracket_height_m;
-    bracket_force_n: f64 = report.case.own.force.bracket_force_n;
+    bracket_height_m: f64 = report.case.own.bracket_height_m;
+    bracket_force_n: f64 = report.case.own.bracket_force_n;
     /// At the feet, beside the bracket.
-    bracket_base_shear_n: f64 = report.case.own.force.bracket_base_shear_n;
+    bracket_base_shear_n: f64 = report.case.own.bracket_base_shear_n;
     __: String = bracket_words(&report.case) => "or a bracket";
-    held_weight_ratio: f64 = report.case.own.force.held_weight_ratio;
-    overstrength_ratio: f64 = report.case.own.force.overstrength_ratio;
+    held_weight_ratio: f64 = report.case.own.held_weight_ratio;
+    overstrength_ratio: f64 = report.case.own.source.overstrength_ratio();
     /// The formula with its numbers.
     formula: String = formula_words(&report.case);
     level_ratio: f64 = report.case.question.object.level_ratio;
     place: Option<&Place> = report.case.target.as_ref().and_then(|target| target.place.as_ref());
-    factors: ByName<OfFactor<'_>> = factors(&report.case.own.source.factors);
+    factors: ByName<OfFactor<'_>> = factors(&report.case.own.source);
     /// What was not stated.
     assumptions: Vec<String> = assumptions(&report.case);
     /// The row of the table of components of the code.
     component: Option<&'static str> = report.case.question.object.component.map(|row| row.name);
     /// What an engineer must confirm.
-    to_confirm: Vec<ToConfirm> = to_confirm(&report.case.own);
+    to_confirm: Vec<ToConfirm> = to_confirm(&report.case.own.source);
     /// The same by other codes.
     others: Vec<ByCode<'_>> = report.case.others.iter().map(ByCode).collect();
     /// Where the sheet was written.
@@ -205,38 +207,38 @@ answer_of!(OfAnchor<'_> as one {
 
 /// The same by another code.
 #[derive(Clone, Copy)]
-struct ByCode<'r>(&'r Demand);
+struct ByCode<'r>(&'r RestraintForce);
 
 answer_of!(ByCode<'_> as by {
-    code: Option<&'static str> = by.0.source.code;
-    clause: &'static str = by.0.source.clause;
-    force_n: f64 = by.0.force.force_n;
-    force_ratio: f64 = by.0.force.force_ratio;
-    overturning_moment_n_m: f64 = by.0.overturning_moment_n_m;
-    resisting_moment_n_m: f64 = by.0.resisting_moment_n_m;
-    anchor_tension_n: f64 = by.0.force.anchor_tension_n;
-    anchor_tension_concrete_n: f64 = by.0.force.anchor_tension_concrete_n;
-    bracket_force_n: f64 = by.0.force.bracket_force_n;
-    factors: ByName<OfFactor<'_>> = factors(&by.0.source.factors);
+    code: Option<&'static str> = names(by.0.source.clause).code;
+    clause: &'static str = names(by.0.source.clause).clause;
+    force_n: f64 = by.0.force_n;
+    force_ratio: f64 = by.0.force_ratio();
+    overturning_moment_n_m: f64 = by.0.overturning_moment_n_m();
+    resisting_moment_n_m: f64 = by.0.resisting_moment_n_m();
+    anchor_tension_n: f64 = by.0.anchor_tension_n;
+    anchor_tension_concrete_n: f64 = by.0.anchor_tension_concrete_n;
+    bracket_force_n: f64 = by.0.bracket_force_n;
+    factors: ByName<OfFactor<'_>> = factors(&by.0.source);
 });
 
 /// A factor of a formula.
 #[derive(Clone, Copy)]
-struct OfFactor<'r>(&'r Factor);
+struct OfFactor<'r>(&'r Source, &'r Factor);
 
 answer_of!(OfFactor<'_> as of {
-    symbol: &'static str = of.0.symbol;
-    value: f64 = of.0.value;
-    unit: &'static str = of.0.unit;
+    symbol: &'static str = symbol(of.0.clause, of.1.key);
+    value: f64 = of.1.value;
+    unit: &'static str = if of.1.key.is_acceleration() { "g" } else { "1" };
     /// Who says so.
-    source: String = of.0.source.words();
+    source: String = factor_source(of.0, of.1);
 });
 
 /// Factors by their keys.
-fn factors(all: &[Factor]) -> ByName<OfFactor<'_>> {
+fn factors(source: &Source) -> ByName<OfFactor<'_>> {
+    let all = source.factors.iter();
     ByName(
-        all.iter()
-            .map(|factor| (factor.key, OfFactor(factor)))
+        all.map(|factor| (factor.key.name(), OfFactor(source, factor)))
             .collect(),
     )
 }

@@ -7,16 +7,16 @@ use freestand_output::html::{
     properties, words,
 };
 
+use super::force::{ToConfirm, deduction_words, equation, numbers, remarks, to_confirm};
 use super::list::{RestrainListReport, name};
 use super::report::RestrainReport;
 use super::sketch::sketch;
 use super::words::{
-    DESIGN_CAPACITY, NO_TENSION, ToConfirm, assumptions, capacity_words, clause_words,
-    factor_words, floor_words, limits_words, provenance, tension_formula, tension_words,
-    to_confirm, utilisation_words,
+    DESIGN_CAPACITY, NO_TENSION, assumptions, capacity_words, clause_words, factor_words,
+    floor_words, limits_words, provenance, tension_formula, tension_words, utilisation_words,
 };
 use freestand_assess::restrain::{Case, HeldItem, RestraintDoubt};
-use freestand_assess::restraint::Demand;
+use freestand_assess::restraint::force::RestraintForce;
 use freestand_study::target::Target;
 
 use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
@@ -157,14 +157,14 @@ fn subtitle(case: &Case) -> String {
         floor if floor.is_empty() => floor,
         floor => format!("Floor: {floor}."),
     };
-    format!("{}: {hazard}{floor}", clause_words(&case.own))
+    format!("{}: {hazard}{floor}", clause_words(&case.own.source))
         .trim_end()
         .to_owned()
 }
 
 /// The sheet of one object below its title.
 fn sheet(case: &Case, id: &str, signing: Signing) -> String {
-    let (own, force) = (&case.own, &case.own.force);
+    let own = &case.own;
     let units = case.request.units;
     let mut html = String::from("<div class=\"sheet\">\n<div>\n");
     html.push_str(&sketch(case));
@@ -173,21 +173,21 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
     html.push_str("</div>\n</div>\n");
     html.push_str("<div class=\"sheet\">\n<div>\n");
     html.push_str(&heading("The force"));
-    let ratio = number(own.source.force.formula_ratio, 4);
+    let ratio = number(own.source.part.formula_ratio, 4);
     html.push_str(&format!(
         "<p class=\"formula\">{}</p>\n<p class=\"formula\">= {} = {ratio} W</p>\n",
-        symbols(&own.source.equation),
-        escape(&own.source.numbers)
+        symbols(&equation(&own.source)),
+        escape(&numbers(&own.source))
     ));
-    if let Some(limits) = limits_words(own) {
+    if let Some(limits) = limits_words(&own.source) {
         html.push_str(&format!(
             "<p>Limits: {}: F = {} W.</p>\n",
             escape(&limits),
-            number(force.force_ratio, 4)
+            number(own.force_ratio(), 4)
         ));
     }
     let row = |factor| {
-        let [symbol, value, source] = factor_words(factor);
+        let [symbol, value, source] = factor_words(&own.source, factor);
         vec![markup(symbols(&symbol), ""), words(&value), words(&source)]
     };
     let rows: Vec<Vec<Cell>> = own.source.factors.iter().map(row).collect();
@@ -212,12 +212,11 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
             ]
             .map(figure),
         );
-        let row = |other: &Demand| {
-            let force = &other.force;
+        let row = |force: &RestraintForce| {
             vec![
-                words(&clause_words(other)),
+                words(&clause_words(&force.source)),
                 figure(units.force(force.force_n)),
-                figure(number(force.force_ratio, 3)),
+                figure(number(force.force_ratio(), 3)),
                 figure(units.force(force.anchor_tension_n)),
                 figure(units.force(force.anchor_tension_concrete_n)),
             ]
@@ -240,7 +239,7 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
     notes.extend(assumptions(case));
     let lifts_nothing = case.doubts.contains(&RestraintDoubt::NoTension);
     notes.extend(lifts_nothing.then(|| sentence(NO_TENSION)));
-    notes.extend(own.source.remarks.iter().cloned());
+    notes.extend(remarks(&own.source));
     notes.push(
         "The sheet gives what the restraint must carry. Anchors, base plates, and the floor or wall that they are in \
          need a design of their own, and so does the part of the object that is held."
@@ -261,8 +260,8 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
 
 /// What of a sheet is quoted from memory.
 fn recalled(case: &Case) -> Vec<String> {
-    let clause = clause_words(&case.own);
-    let unread = to_confirm(&case.own).into_iter();
+    let clause = clause_words(&case.own.source);
+    let unread = to_confirm(&case.own.source).into_iter();
     let place = case.target.as_ref().and_then(Target::approximate_place);
     unread
         .map(|one| format!("{clause}: {}", one.what))
@@ -272,7 +271,7 @@ fn recalled(case: &Case) -> Vec<String> {
 
 /// The box of what nobody has read in the code: an engineer writes the value of the edition beside it.
 fn confirmations(case: &Case) -> String {
-    let open = to_confirm(&case.own);
+    let open = to_confirm(&case.own.source);
     if open.is_empty() {
         return String::new();
     }
@@ -314,7 +313,7 @@ fn sentence(warning: &str) -> String {
 }
 
 fn object_and_results(case: &Case) -> String {
-    let (own, force, object) = (&case.own, &case.own.force, &case.question.object);
+    let (force, object) = (&case.own, &case.question.object);
     let units = case.request.units;
     let length = |length_m: f64| units.length(length_m);
     let sides: Vec<String> = [
@@ -348,11 +347,11 @@ fn object_and_results(case: &Case) -> String {
         ("Design force F", units.force_in_both(force.force_n)),
         (
             "Overturning moment",
-            units.moment(own.overturning_moment_n_m),
+            units.moment(force.overturning_moment_n_m()),
         ),
         (
             "Resisting moment of the weight",
-            units.moment(own.resisting_moment_n_m),
+            units.moment(force.resisting_moment_n_m()),
         ),
         (
             "Tension T along one edge",
@@ -373,7 +372,7 @@ fn object_and_results(case: &Case) -> String {
 
 fn anchors(case: &Case) -> String {
     let units = case.request.units;
-    let force = &case.own.force;
+    let force = &case.own;
     let count = case.request.anchors.per_edge;
     let mut titles = vec![words("")];
     titles.extend(["tension", "tension in concrete", "shear"].map(figure));
@@ -401,7 +400,7 @@ fn anchors(case: &Case) -> String {
             row(&format!("each of {count}"), each),
         ],
     );
-    let Some(axis) = &case.own.axis else {
+    let Some(axis) = &force.axis else {
         return table;
     };
     let length = |length_m: f64| units.length(length_m);
@@ -429,10 +428,10 @@ fn anchors(case: &Case) -> String {
         length(axis.least_lever_m()),
         length(axis.base_m),
         axis.axis.name(),
-        length(case.own.inset_m),
+        length(force.inset_m()),
         number(force.held_weight_ratio, 4),
-        case.own.source.deduction_words(),
-        number(force.overstrength_ratio, 4)
+        deduction_words(&force.source),
+        number(force.source.overstrength_ratio(), 4)
     );
     format!(
         "{table}{}<p>{}</p>\n",

@@ -19,7 +19,7 @@ const MIDDLE_PX: f64 = 170.0;
 /// The sketch: the side in which the object tips first.
 pub(super) fn sketch(case: &Case) -> String {
     let object = &case.question.object;
-    let force = &case.own.force;
+    let force = &case.own;
     let side_m = case
         .own
         .axis
@@ -84,7 +84,7 @@ pub(super) fn sketch(case: &Case) -> String {
         [MIDDLE_PX, cg, MIDDLE_PX, (cg + 42.0).min(FLOOR_PX - 4.0)],
         "stroke=\"#1a1a1a\" stroke-width=\"1.5\" marker-end=\"url(#tip)\"",
     );
-    let inset = case.own.inset_m * scale;
+    let inset = case.own.inset_m() * scale;
     for x in [left + inset, right - inset] {
         line(
             [x, FLOOR_PX - 10.0, x, FLOOR_PX + 14.0],

@@ -1,14 +1,20 @@
 use crate::signature::Signing;
 use calamine::{Data, DataType as _, Reader as _, Xlsx};
+use freestand_assess::axis::Axis;
+use freestand_assess::restrain::Component;
 use freestand_assess::restrain::{
     Anchor, Anchors, Missing, NotHeld, Pivot, RestrainFactors, RestrainFloor, RestrainHazard,
     RestrainListRequest, RestrainRequest, RestraintAssumption, RestraintDoubt, StandsOn, restrain,
     restrain_list,
 };
+use freestand_assess::restraint::{HeldObject, RestraintAxis, RestraintQuestion, restraint_forces};
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::UnitSystem;
 use freestand_inventory::CellsRequest;
+use freestand_study::study::assessment::{Bracket, RestraintSettings};
+use freestand_study::target::Target;
 
+use super::force::{note, source_name};
 use super::words::{assumption, doubt_words, floor_words, not_held};
 use super::*;
 
@@ -237,4 +243,87 @@ fn every_sentence() {
     ];
     all.extend(why.iter().map(not_held));
     insta::assert_snapshot!(all.join("\n"));
+}
+
+/// The paper's cabinet at mid-height.
+fn question(target: &Target) -> RestraintQuestion {
+    let axis = |axis, base_m: f64| RestraintAxis {
+        axis,
+        base_m,
+        weight_lever_m: base_m / 2.0,
+    };
+    RestraintQuestion {
+        object: HeldObject {
+            mass_kg: 140.0,
+            height_m: 2.3,
+            cg_height_m: 1.15,
+            axes: vec![axis(Axis::Thickness, 0.6), axis(Axis::Width, 0.9)],
+            level_ratio: 0.5,
+            is_critical: false,
+            component: Component::find("cabinet"),
+        },
+        building_height_m: Some(96.0),
+        building_period_s: Some(3.0),
+        spectrum: Some(target.parts_spectrum().clone()),
+        parts_edition: target.parts_edition,
+        floor_acceleration_g: Some(0.4),
+        is_floor_given: false,
+        settings: RestraintSettings::default(),
+        pivot: Pivot::Edge,
+    }
+}
+
+/// Of every code: the cabinet, and an object of which little is known, on a flexible bracket below its centre of
+/// gravity; of one code all forces with stated factors and a bracket above the object.
+#[test]
+fn every_note() {
+    let hazards: [&[(&'static str, &'static str)]; 9] = [
+        &[("place", "Melbourne"), ("site", "Ce")],
+        &[("code", "asce7"), ("edition", "2016"), ("sds", "1 g")],
+        &[("code", "asce7"), ("edition", "2022"), ("sds", "1 g")],
+        &[("place", "Los Angeles"), ("site", "D")],
+        &[("place", "Athens")],
+        &[("place", "L'Aquila"), ("code", "ntc2018"), ("site", "A")],
+        &[("place", "Wellington"), ("site", "C")],
+        &[("place", "Istanbul"), ("site", "ZC")],
+        &[
+            ("place", "Wellington"),
+            ("code", "ts1170.5"),
+            ("site", "III"),
+        ],
+    ];
+    let target = |words: &[(&'static str, &'static str)]| {
+        Target::for_parts(&words.iter().copied().collect()).unwrap()
+    };
+    let mut questions = Vec::new();
+    for words in hazards {
+        let plain = question(&target(words));
+        let mut unknown = plain.clone();
+        unknown.object.component = None;
+        unknown.object.is_critical = true;
+        (unknown.building_height_m, unknown.building_period_s) = (None, None);
+        unknown.pivot = Pivot::Feet;
+        unknown.settings.bracket = Bracket::Flexible;
+        unknown.settings.bracket_height_m = Some(0.5);
+        questions.extend([plain, unknown]);
+    }
+    let mut forces: Vec<_> = questions
+        .iter()
+        .map(|question| restraint_forces(question).remove(0))
+        .collect();
+    let mut stated = question(&target(hazards[0]));
+    stated.settings = RestraintSettings {
+        amplification_ratio: Some(1.4),
+        response_ratio: Some(2.0),
+        importance_ratio: Some(1.2),
+        overstrength_ratio: Some(1.7),
+        anchor_inset_m: Some(0.0),
+        bracket_height_m: Some(3.0),
+        ..stated.settings
+    };
+    forces.extend(restraint_forces(&stated));
+    let notes = forces
+        .iter()
+        .map(|force| format!("{}\n{}\n", source_name(&force.source), note(force)));
+    insta::assert_snapshot!(notes.collect::<String>());
 }

@@ -1,15 +1,14 @@
 //! Forces on restraints.
 
-use freestand_assess::restraint::Demand;
+use freestand_assess::restraint::force::RestraintForce;
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::number;
 use freestand_output::answer::Answer as _;
 
+use super::force::{ToConfirm, to_confirm};
 use super::list::RestrainListReport;
 use super::report::{RestrainReport, answer};
-use super::words::{
-    DESIGN_CAPACITY, ToConfirm, assumptions, clause_words, factor_words, to_confirm,
-};
+use super::words::{DESIGN_CAPACITY, assumptions, clause_words, factor_words};
 use crate::table::{lines, table};
 
 /// The forces on the restraints of a list.
@@ -73,10 +72,11 @@ fn open_text(to_confirm: &[ToConfirm], assumptions: &[String]) -> String {
 pub fn restraint_text(report: &RestrainReport) -> String {
     let case = &report.case;
     let mut text = format!("{}\n\n{}\n", answer(case), lines(&report.facts()));
-    let factors = &case.own.source.factors;
-    let rows: Vec<Vec<String>> = factors
+    let source = &case.own.source;
+    let rows: Vec<Vec<String>> = source
+        .factors
         .iter()
-        .map(|one| factor_words(one).to_vec())
+        .map(|one| factor_words(source, one).to_vec())
         .collect();
     text.push_str(&table(&["factor", "value", "who says so"], &rows));
     if !case.others.is_empty() {
@@ -88,12 +88,11 @@ pub fn restraint_text(report: &RestrainReport) -> String {
             "in concrete",
         ];
         let units = case.request.units;
-        let other = |demand: &Demand| {
-            let force = &demand.force;
+        let other = |force: &RestraintForce| {
             vec![
-                clause_words(demand),
+                clause_words(&force.source),
                 units.force(force.force_n),
-                number(force.force_ratio, 3),
+                number(force.force_ratio(), 3),
                 units.force(force.anchor_tension_n),
                 units.force(force.anchor_tension_concrete_n),
             ]
@@ -105,7 +104,10 @@ pub fn restraint_text(report: &RestrainReport) -> String {
     if case.request.anchors.chosen.is_some() {
         text.push_str(&format!("\n{DESIGN_CAPACITY}\n"));
     }
-    text.push_str(&open_text(&to_confirm(&case.own), &assumptions(case)));
+    text.push_str(&open_text(
+        &to_confirm(&case.own.source),
+        &assumptions(case),
+    ));
     if let Some(path) = &report.sheet_path {
         text.push_str(&format!("\nto print: {path}\n"));
     }

@@ -7,12 +7,12 @@ use freestand_input::words::{counted, listed, number};
 use freestand_assess::restrain::{
     Anchor, Case, NotHeld, Pivot, RestraintAssumption, RestraintDoubt, StandsOn,
 };
-use freestand_assess::restraint::Demand;
 use freestand_assess::restraint::factor::Factor;
-use freestand_assess::restraint::sources::Unread;
+use freestand_assess::restraint::source::Source;
 use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::target::Target;
 
+use super::force::{factor_source, names, symbol};
 use crate::doubts::unlikely_size;
 
 /// Where an object stands: its floor, its height over that of the building; empty where the given
@@ -182,32 +182,28 @@ pub(super) fn tension_words(units: UnitSystem, tension_n: f64) -> String {
 }
 
 /// The symbol of a factor, its value with its unit, and who says so.
-pub(super) fn factor_words(factor: &Factor) -> [String; 3] {
-    let unit = if factor.unit == "1" {
-        String::new()
+pub(super) fn factor_words(source: &Source, factor: &Factor) -> [String; 3] {
+    let unit = if factor.key.is_acceleration() {
+        " g"
     } else {
-        format!(" {}", factor.unit)
+        ""
     };
     [
-        factor.symbol.to_owned(),
-        format!("{}{unit}", factor.number()),
-        factor.source.words(),
+        symbol(source.clause, factor.key).to_owned(),
+        format!("{}{unit}", number(factor.value, 4)),
+        factor_source(source, factor),
     ]
 }
 
 /// `F = 0.48 W; from 0.3 W to 1.6 W; the formula governs`.
-pub(super) fn limits_words(demand: &Demand) -> Option<String> {
-    let force = &demand.source.force;
+pub(super) fn limits_words(source: &Source) -> Option<String> {
+    let force = &source.part;
     let share = |ratio: f64| format!("{} W", number(ratio, 4));
-    let range = match (force.minimum_ratio > 0.0, force.maximum_ratio.is_finite()) {
-        (true, true) => format!(
-            "from {} to {}",
-            share(force.minimum_ratio),
-            share(force.maximum_ratio)
-        ),
-        (true, false) => format!("at least {}", share(force.minimum_ratio)),
-        (false, true) => format!("at most {}", share(force.maximum_ratio)),
-        (false, false) => return None,
+    let range = match (force.minimum_ratio > 0.0, force.maximum_ratio) {
+        (true, Some(most)) => format!("from {} to {}", share(force.minimum_ratio), share(most)),
+        (true, None) => format!("at least {}", share(force.minimum_ratio)),
+        (false, Some(most)) => format!("at most {}", share(most)),
+        (false, None) => return None,
     };
     let governs = match force.governing {
         Governing::Minimum => "the lower limit governs",
@@ -218,26 +214,10 @@ pub(super) fn limits_words(demand: &Demand) -> Option<String> {
 }
 
 /// `ASCE 7-16, 13.3.1`, or `F = m a`.
-pub(super) fn clause_words(demand: &Demand) -> String {
-    let source = &demand.source;
-    source.code.map_or_else(
-        || source.clause.to_owned(),
-        |code| format!("{code}, {}", source.clause),
+pub(super) fn clause_words(source: &Source) -> String {
+    let names = names(source.clause);
+    names.code.map_or_else(
+        || names.clause.to_owned(),
+        |code| format!("{code}, {}", names.clause),
     )
-}
-
-/// What an engineer must confirm of a force.
-pub(super) fn to_confirm(demand: &Demand) -> Vec<ToConfirm> {
-    let open = demand.source.unread().into_iter();
-    open.map(|Unread { what, value }| ToConfirm { what, value })
-        .collect()
-}
-
-/// What nobody has read in the code, and an engineer must confirm before the sheet is signed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ToConfirm {
-    /// What it is: a factor with what it stands for, or a clause.
-    pub what: String,
-    /// The value that was used; empty for a clause.
-    pub value: String,
 }

@@ -28,6 +28,7 @@ use super::parts::eurocode8_factor_ratio;
 
 /// The part of a clause that governs a force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Governing {
     /// The lower limit.
     Minimum,
@@ -39,6 +40,7 @@ pub enum Governing {
 
 /// A design force.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PartForce {
     /// Force over weight.
     pub force_ratio: f64,
@@ -46,20 +48,21 @@ pub struct PartForce {
     pub formula_ratio: f64,
     /// The lower limit; 0 where the code has none.
     pub minimum_ratio: f64,
-    /// The upper limit; infinite where the code has none.
-    pub maximum_ratio: f64,
+    /// The upper limit; `None`: the code has none.
+    pub maximum_ratio: Option<f64>,
     /// What governs the force.
     pub governing: Governing,
 }
 
 impl PartForce {
-    fn within(formula_ratio: f64, minimum_ratio: f64, maximum_ratio: f64) -> Self {
+    fn within(formula_ratio: f64, minimum_ratio: f64, maximum_ratio: Option<f64>) -> Self {
+        let most = maximum_ratio.unwrap_or(f64::INFINITY);
         let governing = match formula_ratio {
             x if x < minimum_ratio => Governing::Minimum,
-            x if x > maximum_ratio => Governing::Maximum,
+            x if x > most => Governing::Maximum,
             _ => Governing::Formula,
         };
-        let force_ratio = formula_ratio.min(maximum_ratio).max(minimum_ratio);
+        let force_ratio = formula_ratio.min(most).max(minimum_ratio);
         Self {
             force_ratio,
             formula_ratio,
@@ -107,7 +110,7 @@ pub fn as1170_4_force(floor_acceleration_g: f64, part: &As1170_4Part) -> PartFor
         importance_ratio,
     } = *part;
     let formula = floor_acceleration_g * importance_ratio * amplification_ratio / ductility_ratio;
-    PartForce::within(formula, 0.05, 0.5)
+    PartForce::within(formula, 0.05, Some(0.5))
 }
 
 /// A component according to ASCE 7-16, chapter 13.
@@ -147,7 +150,7 @@ pub fn asce7_16_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_16Part)
     PartForce::within(
         0.4 * amplification_ratio * height_factor_ratio / response_ratio * unit,
         0.3 * unit,
-        1.6 * unit,
+        Some(1.6 * unit),
     )
 }
 
@@ -209,7 +212,7 @@ pub fn asce7_22_force(sds_g: f64, height_factor_ratio: f64, part: &Asce7_22Part)
     let unit = sds_g * part.importance_ratio;
     let ratio = height_factor_ratio / part.used_building_ductility_ratio() * part.resonance_ratio
         / part.strength_ratio;
-    PartForce::within(0.4 * ratio * unit, 0.3 * unit, 1.6 * unit)
+    PartForce::within(0.4 * ratio * unit, 0.3 * unit, Some(1.6 * unit))
 }
 
 /// A non-structural element according to Eurocode 8.
@@ -250,7 +253,7 @@ pub fn eurocode8_force(
 ) -> PartForce {
     let unit = ground_acceleration_g * part.importance_ratio / part.behaviour_ratio;
     let factor = part.amplification_ratio * eurocode8_factor_ratio(level_ratio, part.period_ratio);
-    PartForce::within(unit * factor, unit, f64::INFINITY)
+    PartForce::within(unit * factor, unit, None)
 }
 
 /// A part according to NZS 1170.5, section 8.
@@ -280,7 +283,7 @@ pub struct Nzs1170_5Part {
 pub fn nzs1170_5_force(floor_acceleration_g: f64, part: &Nzs1170_5Part) -> PartForce {
     let formula =
         floor_acceleration_g * part.spectral_ratio * part.response_ratio * part.risk_ratio;
-    PartForce::within(formula, 0.0, 3.6)
+    PartForce::within(formula, 0.0, Some(3.6))
 }
 
 /// A part according to TBDY 2018, chapter 6.
@@ -311,7 +314,7 @@ pub struct Tbdy2018Part {
 /// ```
 pub fn tbdy2018_force(floor_acceleration_g: f64, sds_g: f64, part: &Tbdy2018Part) -> PartForce {
     let formula = floor_acceleration_g * part.amplification_ratio / part.response_ratio;
-    PartForce::within(formula, 0.3 * sds_g * part.importance_ratio, f64::INFINITY)
+    PartForce::within(formula, 0.3 * sds_g * part.importance_ratio, None)
 }
 
 /// A part according to TS 1170.5:2025, section 8.
@@ -351,7 +354,7 @@ pub struct Ts1170_5Part {
 pub fn ts1170_5_force(pga_g: f64, height_factor_ratio: f64, part: &Ts1170_5Part) -> PartForce {
     let floor_g = pga_g * height_factor_ratio / part.structure_ratio;
     let formula = floor_g * part.spectral_ratio / part.response_ratio * part.risk_ratio;
-    PartForce::within(formula, 0.0, f64::INFINITY)
+    PartForce::within(formula, 0.0, None)
 }
 
 #[cfg(test)]

@@ -22,6 +22,7 @@ use freestand_study::study::TitleBlock;
 
 use super::plan::standing_words;
 use super::words::{amount, label};
+use crate::restraint::force::{source_name, to_confirm};
 use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
 
 pub use parts::{PARTS_NAME, PARTS_PAGE};
@@ -217,8 +218,9 @@ pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<Strin
             found.insert(format!("price of {}", row.measure));
         }
         if let Some(force) = &row.object.force {
-            let what = force.recalled.iter();
-            found.extend(what.map(|what| format!("{}: {what}", force.source)));
+            let unread = to_confirm(&force.source).into_iter();
+            let name = source_name(&force.source);
+            found.extend(unread.map(|one| format!("{name}: {}", one.what)));
         }
         let place = row.object.approximate_place.iter();
         found.extend(place.map(|place| format!("hazard of {place}")));
@@ -291,14 +293,16 @@ fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {
     let [low, high] = fitting.price;
     let force = match &row.object.force {
         Some(force) => {
-            let recalled = match force.recalled.as_slice() {
+            let unread = to_confirm(&force.source).into_iter().map(|one| one.what);
+            let unread: Vec<String> = unread.collect();
+            let recalled = match unread.as_slice() {
                 [] => String::new(),
-                recalled => format!("; an engineer must confirm {}", recalled.join(", ")),
+                unread => format!("; an engineer must confirm {}", unread.join(", ")),
             };
             format!(
                 "{} at its centre of gravity, by {}{recalled}",
                 units.force(force.force_n),
-                force.source
+                source_name(&force.source)
             )
         }
         None => UNKNOWN_FORCE.to_owned(),

@@ -178,7 +178,7 @@ fn an_order_can_be_given_away() {
         "anchors 2.953 in from the edge (assumed)</text>",
         "There is no drawing",
         "DRAFT",
-        "AS 1170.4-2007, 8.2: R_c; capacity of base-plate",
+        "AS 1170.4-2007, section 8: R_c; capacity of base-plate",
         "; hazard of Athens",
         "10–30 NZD each: an offer, 2025 (confidence: assumption)",
         "40 min each, 80 min in all",

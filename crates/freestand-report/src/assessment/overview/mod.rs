@@ -13,6 +13,7 @@ use super::reasons::why;
 use super::table::Line;
 use super::words::{chance, exceeded, falls};
 use super::worklist::{Task, sort_floors};
+use crate::restraint::force::{source_name, to_confirm};
 
 /// Floors that are counted separately; objects on further floors are counted together.
 pub(super) const MAX_FLOORS: usize = 100;
@@ -214,8 +215,8 @@ impl Overview {
         let tolerance = tolerance.map(|one| format!("tolerance: {}", one.source));
         let force = found.design_force();
         let of_force = force.into_iter().flat_map(|force| {
-            let what = force.recalled.iter();
-            what.map(|what| format!("{}: {what}", force.source))
+            let unread = to_confirm(&force.source).into_iter();
+            unread.map(|one| format!("{}: {}", source_name(&force.source), one.what))
         });
         for one in tolerance.into_iter().chain(of_force) {
             if self.recalled.len() < MAX_RECALLED {

@@ -48,7 +48,7 @@ fn full() -> (Item, Assessment) {
         ..answers()
     });
     found.restraint[0].anchor_tension_n = 0.0;
-    found.restraint[1].kind = freestand_assess::result::RestraintKind::Floor;
+    found.restraint[1].source.kind = freestand_assess::restraint::source::SourceKind::Floor;
     found.softening = Some(Softening {
         max_stiffness_n_m: Some(1.1e6),
         stroke_m: Some(0.011),

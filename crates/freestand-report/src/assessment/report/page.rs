@@ -8,9 +8,10 @@ use crate::assessment::overview::place;
 use crate::assessment::plan::options_html;
 use crate::assessment::reasons::{self, softer_pad};
 use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
+use crate::restraint::force::{note, source_name};
+use freestand_assess::restraint::source::SourceKind;
 use freestand_assess::result::{
-    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, RestraintKind,
-    Shares,
+    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, Shares,
 };
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_inventory::{Inventory, Item};
@@ -506,7 +507,7 @@ fn what_to_do(found: &Assessment) -> String {
         found
             .restraint
             .iter()
-            .filter(|force| force.kind != RestraintKind::OtherCode),
+            .filter(|force| force.source.kind != SourceKind::OtherCode),
     ));
     let is_held = found
         .design_force()
@@ -518,9 +519,10 @@ fn what_to_do(found: &Assessment) -> String {
 
 /// The clause of a force, and whether something of it is quoted from memory.
 fn by(force: &RestraintForce) -> String {
-    match force.recalled.is_empty() {
-        true => force.source.clone(),
-        false => format!("{} (confidence: recalled)", force.source),
+    let name = source_name(&force.source);
+    match force.source.is_recalled() {
+        true => format!("{name} (confidence: recalled)"),
+        false => name.to_owned(),
     }
 }
 
@@ -537,7 +539,7 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
         vec![
             markup(name(&by(force)), ""),
             figure(kilonewtons(force.force_n)),
-            figure(number(force.force_ratio, 3)),
+            figure(number(force.force_ratio(), 3)),
             figure(tension(force.anchor_tension_n)),
             figure(tension(force.anchor_tension_concrete_n)),
             figure(format!("{} mm", number(1e3 * force.bracket_height_m, 4))),
@@ -637,15 +639,15 @@ fn calculation(inventory: &Inventory, item: &Item, found: &Assessment) -> String
             found
                 .restraint
                 .iter()
-                .filter(|force| force.kind == RestraintKind::OtherCode),
+                .filter(|force| force.source.kind == SourceKind::OtherCode),
         ));
         html.push_str("<dl>\n");
         for force in &found.restraint {
             let _ = writeln!(
                 html,
                 "<dt>{}</dt><dd>{}</dd>",
-                name(&force.source),
-                words(&force.note)
+                name(source_name(&force.source)),
+                words(&note(force))
             );
         }
         html.push_str("</dl>\n");

@@ -63,7 +63,7 @@ fn every_object_has_its_page_in_the_order_of_the_list() {
         "? NO VERDICT",
         "● LEAVE",
         "Eq",
-        "AS 1170.4-2007, 8.2",
+        "AS 1170.4-2007, section 8",
         "Level 4",
         "seed 1",
     ] {

@@ -139,7 +139,10 @@ fn the_table_is_in_the_order_of_the_inventory() {
         ),
         ("410", "950")
     );
-    assert_eq!(at(&table, 0, "restraint_source"), "AS 1170.4-2007, 8.2");
+    assert_eq!(
+        at(&table, 0, "restraint_source"),
+        "AS 1170.4-2007, section 8"
+    );
     assert_eq!(
         (
             at(&table, 0, "held_weight_ratio"),

@@ -7,6 +7,7 @@ use freestand_study::cushion::cushion_words;
 use crate::assessment::compared::tolerance;
 use crate::assessment::reasons::notes;
 use crate::assessment::table::{Cell, Column};
+use crate::restraint::force::source_name;
 use freestand_assess::result::{Cause, design_force, reported_force};
 
 use super::{
@@ -239,7 +240,7 @@ pub(super) const COLUMNS: &[Column] = &[
     ),
     text("restraint_source", "clause of this force", |l| {
         of_text(l, |found| {
-            Some(reported_force(&found.restraint)?.source.as_str())
+            Some(source_name(&reported_force(&found.restraint)?.source))
         })
     }),
     text(
@@ -247,7 +248,7 @@ pub(super) const COLUMNS: &[Column] = &[
         "source of the anchors and the bracket: the floor where the code's force lifts nothing",
         |l| {
             of_text(l, |found| {
-                Some(design_force(&found.restraint)?.source.as_str())
+                Some(source_name(&design_force(&found.restraint)?.source))
             })
         },
     ),
@@ -261,7 +262,7 @@ pub(super) const COLUMNS: &[Column] = &[
         "overstrength_ratio",
         "1",
         "factor on the force for anchors in concrete",
-        |l| restraint(l, |force| force.overstrength_ratio),
+        |l| restraint(l, |force| force.source.overstrength_ratio()),
     ),
     number(
         "anchor_tension_n",
