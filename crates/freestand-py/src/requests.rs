@@ -15,6 +15,7 @@ use freestand_app::synth::{SCHEMA as SYNTH, Synth};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::validate::validate as validated;
 use freestand_records::notes::grouped;
+use freestand_report::shock::{landing_report, shock_doubt};
 use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::static_tests;
@@ -35,7 +36,8 @@ pub(crate) fn shock(request: &Bound<'_, PyDict>, files: Named) -> PyResult<Strin
     let (request, files) = asked::<Shock>(request, std::iter::empty(), files)?;
     let meant = request.resolve(&files).map_err(raised_all)?;
     let report = evaluated(&meant.landing).map_err(raised_all)?;
-    told(SHOCK, &report.answer, &report.warnings)
+    let warnings: Vec<String> = report.doubts.iter().map(shock_doubt).collect();
+    told(SHOCK, &landing_report(&report), &warnings)
 }
 
 /// The document, the pad as the text of a cushion file, the loops as CSV.

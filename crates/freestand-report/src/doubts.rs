@@ -197,4 +197,4 @@ pub fn spectrum_doubt(doubt: &SpectrumDoubt) -> String {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -18,6 +18,7 @@ mod print_check;
 pub mod restraint;
 pub mod risk;
 pub mod rocking;
+pub mod shock;
 pub mod signature;
 pub mod spectrum;
 pub mod study;

@@ -39,6 +39,7 @@ use freestand_report::fragility::{FragilityAnswer, RunsAnswer};
 use freestand_report::object::ObjectReport;
 use freestand_report::restraint::{RestrainListReport, RestrainReport};
 use freestand_report::risk::RiskAnswer;
+use freestand_report::shock::LandingReport;
 use freestand_study::check::Check;
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
@@ -47,7 +48,6 @@ use freestand_study::laboratory::drop_test::DropsReport;
 use freestand_study::laboratory::static_curve::StaticsReport;
 use freestand_study::laboratory::virtual_laboratory::{RecoveryReport, SimulatedTests};
 use freestand_study::matched::FitReport;
-use freestand_study::shock::ShockAnswer;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
 use freestand_study::simulated::SimulatedReport;
 use freestand_study::spectrum::SpectrumRow;
@@ -153,7 +153,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "shock.response.json",
-            of_answer::<ShockAnswer>("shock", shock::SCHEMA),
+            of_answer::<LandingReport>("shock", shock::SCHEMA),
         ),
         (
             "shock-spectrum.request.json",

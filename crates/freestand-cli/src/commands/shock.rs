@@ -4,6 +4,7 @@ use clap::Args;
 use freestand_app::shock::{Meant, SCHEMA, Shock};
 use freestand_output::answer::Answer;
 use freestand_report::figures::boundary_figure;
+use freestand_report::shock::{landing_report, shock_doubt};
 use freestand_report::table::lines;
 use freestand_study::shock::{Verdict, shock};
 
@@ -36,8 +37,9 @@ impl Tell for Shock {
             let tests = meant.landing.boundary_tests.as_ref();
             files.figure("damage-boundary", || boundary_figure(&boundary, tests))?;
         }
-        let answer = &report.answer;
-        files.print(printer, SCHEMA, answer, &report.warnings, || {
+        let answer = landing_report(&report);
+        let warnings: Vec<String> = report.doubts.iter().map(shock_doubt).collect();
+        files.print(printer, SCHEMA, &answer, &warnings, || {
             lines(&answer.facts())
         })?;
         Ok(Done {

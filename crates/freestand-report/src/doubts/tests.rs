@@ -7,7 +7,7 @@ use strum::EnumCount;
 use super::*;
 
 /// None is forgotten: as many kinds are listed as there are.
-fn all<T: EnumCount>(listed: &[T]) {
+pub(crate) fn all<T: EnumCount>(listed: &[T]) {
     let kinds: std::collections::HashSet<_> = listed.iter().map(std::mem::discriminant).collect();
     assert_eq!(kinds.len(), T::COUNT);
 }

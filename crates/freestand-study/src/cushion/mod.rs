@@ -48,11 +48,6 @@ impl EdgeCushion {
     }
 }
 
-/// Warnings as texts.
-pub(crate) fn told(warnings: Vec<ValidityWarning>) -> impl Iterator<Item = String> {
-    warnings.into_iter().map(|warning| warning.to_string())
-}
-
 /// A linear cushion F = k d, with k in N/m of everything under one edge, and with the layers in series that
 /// words with the key `series_stiffness` describe.
 ///

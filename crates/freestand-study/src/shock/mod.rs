@@ -11,22 +11,23 @@ use freestand::spectra::BEYOND_ALL_G;
 
 mod boundary;
 mod cushion;
+mod doubt;
 mod test_points;
 mod verdict;
 
 pub use boundary::{BoundaryAnswer, DamageBoundaryReport};
 use cushion::{Contact, contact};
+pub use doubt::{BalancePoint, NoLargestStiffness, ShockDoubt, ShockNote};
 pub use test_points::{
     BoundaryTests, Bracket, BracketAnswer, PeakBracket, TestPoint, TestPointAnswer, TestsAnswer,
-    boundary_tests,
+    TestsDoubt, boundary_tests,
 };
 pub use verdict::DemandCapacity;
 use verdict::{Compared, compared, max_stiffness};
 
-use crate::cushion::{cushion_words, told};
+use crate::cushion::cushion_words;
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
-use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{Choices, name_of};
 use freestand_output::answer;
 
@@ -256,7 +257,6 @@ answer! {
         governing: Option<&'static str> = "  governed by",
         verdict: &'static str = "verdict" if demand_capacity_ratio,
         max_stiffness_n_m: Option<f64> = "largest stiffness at this rise",
-        notes: Vec<String> = "note",
     }
 
     /// The shock by each impact model; none where it does not apply.
@@ -286,8 +286,10 @@ pub struct ShockReport {
     pub verdict: Verdict,
     /// The damage boundary of tests or of the component, with the demand.
     pub damage_boundary: Option<DamageBoundaryReport>,
-    /// Validity warnings.
-    pub warnings: Vec<String>,
+    /// What may make it wrong.
+    pub doubts: Vec<ShockDoubt>,
+    /// What its reader must know.
+    pub notes: Vec<ShockNote>,
 }
 
 /// Evaluates a landing.
@@ -431,7 +433,7 @@ struct Fall {
     source: EnergySource,
     rise_m: Option<f64>,
     rotation_rad: Option<f64>,
-    warning: Option<String>,
+    doubt: Option<ShockDoubt>,
 }
 
 impl Fall {
@@ -440,7 +442,7 @@ impl Fall {
             source,
             rise_m,
             rotation_rad,
-            warning: None,
+            doubt: None,
         }
     }
 }
@@ -454,11 +456,7 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
     if request.scenario.overturns() {
         return match landing.fall_from_balance_m.filter(|&fall| fall >= 0.0) {
             Some(fall) => Ok(Fall {
-                warning: Some(
-                    "the fall starts from rest at the balance point: this is a lower estimate, because an object \
-                     that overturns while rocking still has some speed there"
-                        .to_owned(),
-                ),
+                doubt: Some(ShockDoubt::FromRest),
                 ..Fall::new(EnergySource::FallFromBalance, Some(fall), None)
             }),
             None if request.scenario == Scenario::OverturnFloor => Err(Problem::value(
@@ -498,27 +496,26 @@ fn fall(request: &ShockRequest, landing: &Landing) -> Result<Fall, Problem> {
         let rise_m = pivot.cg_rise_m(theta);
         return Ok(Fall::new(EnergySource::Uplift, Some(rise_m), Some(theta)));
     }
-    let balance = format!(
-        "balance point (a rise of the centre of gravity of {}, a rotation of {:.4} rad, an uplift of {})",
-        format_si(pivot.balance_rise_m(), Dimension::Length),
-        alpha,
-        format_si(block.base_width_m() * alpha.sin(), Dimension::Length),
-    );
+    let balance = BalancePoint {
+        rise_m: pivot.balance_rise_m(),
+        rotation_rad: alpha,
+        uplift_m: block.base_width_m() * alpha.sin(),
+    };
     if request.scenario == Scenario::Halted {
         let rise_m = match request.energy {
             Some(Energy::CgRise(rise_m)) => rise_m,
             _ => pivot.balance_rise_m(),
         };
-        let warning = Some(format!(
-            "the object is beyond its {balance}: if released, it would overturn"
-        ));
         return Ok(Fall {
-            warning,
+            doubt: Some(ShockDoubt::BeyondBalance(balance)),
             ..Fall::new(EnergySource::Uplift, Some(rise_m), rotation)
         });
     }
     Err(Problem::value(
-        format!("beyond its {balance} the object does not come back"),
+        format!(
+            "beyond its {} the object does not come back",
+            balance.words()
+        ),
         "for the fall itself use `scenario = \"overturn-floor\"` or `scenario = \"overturn-obstacle\"`",
     ))
 }
@@ -531,11 +528,11 @@ fn report(
 ) -> Result<ShockReport, Problem> {
     let block = &request.block;
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
-    let mut warnings: Vec<String> = fall.warning.iter().cloned().collect();
+    let mut doubts: Vec<ShockDoubt> = fall.doubt.iter().cloned().collect();
     let mut notes = Vec::new();
     let (cushion, pad_thickness_m) = match contact {
         Contact::Cushion(edge) => {
-            notes.extend(edge.notes.iter().cloned());
+            notes.extend(edge.notes.iter().cloned().map(ShockNote::Cushion));
             (Some(edge.cushion.clone()), edge.pad_thickness_m)
         }
         Contact::Measured(a) => (
@@ -571,12 +568,9 @@ fn report(
         && request.scenario == Scenario::Rocking
         && request.model != Some(ImpactModel::Halted)
     {
-        warnings.push(
-            ValidityWarning::Squat {
-                landing_ratio: block.landing_ratio(),
-            }
-            .to_string(),
-        );
+        doubts.push(ShockDoubt::Validity(ValidityWarning::Squat {
+            landing_ratio: block.landing_ratio(),
+        }));
     }
     let edge_keys = ["stiffness", "pad_stiffness", "cushion", "compressions"];
     if overturns
@@ -584,26 +578,18 @@ fn report(
             .iter()
             .any(|key| request.cushion.get(key).is_some())
     {
-        warnings.push(
-            "an object that falls over lands on its side: the stiffness of its edge is not used"
-                .to_owned(),
-        );
+        doubts.push(ShockDoubt::EdgeUnused);
     }
     if overturns && request.energy.is_some() && fall.source == EnergySource::FallFromBalance {
-        warnings.push(
-            "an object that falls over starts from its balance point: the given rise is not used"
-                .to_owned(),
-        );
+        doubts.push(ShockDoubt::RiseUnused);
     }
     if let Some(cushion) = cushion {
-        warnings.extend(told(stiffness_warnings(mass_kg, cushion, pad_thickness_m)));
+        let limits = stiffness_warnings(mass_kg, cushion, pad_thickness_m);
+        doubts.extend(limits.into_iter().map(ShockDoubt::Validity));
     }
     if let Some((impact, cushion)) = impact.zip(cushion).filter(|_| !overturns) {
-        warnings.extend(told(compression_warnings(
-            impact.compression_m,
-            cushion,
-            pad_thickness_m,
-        )));
+        let limits = compression_warnings(impact.compression_m, cushion, pad_thickness_m);
+        doubts.extend(limits.into_iter().map(ShockDoubt::Validity));
     }
     let rocks_through =
         request.scenario == Scenario::Rocking && landing.model == ImpactModel::Paper;
@@ -611,29 +597,25 @@ fn report(
         rocks_through.then(|| impact_friction_needed_ratio(block, block.landing_ratio()));
     let friction_ratio = request.friction_ratio.unwrap_or(impact::ASSUMED_FRICTION);
     if let Some(needed_ratio) = friction_needed.filter(|&needed| needed > friction_ratio) {
-        warnings.push(
-            ValidityWarning::Sliding {
-                needed_ratio,
-                friction_ratio,
-                when: "in an impact",
-            }
-            .to_string(),
-        );
+        doubts.push(ShockDoubt::Validity(ValidityWarning::Sliding {
+            needed_ratio,
+            friction_ratio,
+            when: "in an impact",
+        }));
     }
     if landing.model == ImpactModel::FreeCorner {
-        warnings.push("the free-corner model is for comparison only".to_owned());
+        doubts.push(ShockDoubt::FreeCorner);
     }
 
     let uplift_m = fall
         .rotation_rad
         .map(|theta| block.base_width_m() * theta.sin());
     let compared = compared(request, edge_m_s2, uplift_m, impact.as_ref());
-    warnings.extend(
-        request
-            .boundary_tests
-            .iter()
-            .flat_map(|tests| tests.warnings.iter().cloned()),
-    );
+    let of_tests = request
+        .boundary_tests
+        .iter()
+        .flat_map(|tests| tests.doubts.iter().cloned());
+    doubts.extend(of_tests.map(ShockDoubt::Tests));
     let damage_boundary = impact
         .as_ref()
         .and_then(|impact| DamageBoundaryReport::new(request, edge_m_s2, impact));
@@ -643,17 +625,20 @@ fn report(
     if let Some((x_m, z_m, _)) = share
         && !(0.0..=block.thickness_m()).contains(&x_m) | !(0.0..=block.height_m()).contains(&z_m)
     {
-        warnings.push("the point `at_point` lies outside the object".to_owned());
+        doubts.push(ShockDoubt::PointOutside);
     }
     // Only a spring has a largest stiffness: that of another law would not be the one stated.
     let rise_on_a_spring_m = fall
         .rise_m
         .filter(|_| cushion.and_then(Cushion::linear_stiffness_n_m).is_some());
-    let (max_stiffness_n_m, stiffness_note) = rise_on_a_spring_m.map_or((None, None), |rise_m| {
+    let largest = rise_on_a_spring_m.map_or(Ok(None), |rise_m| {
         max_stiffness(request, landing, rise_m, uplift_m)
     });
-    notes.extend(stiffness_note.map(str::to_owned));
-    warnings.extend(not_compared(request, compared.as_ref()));
+    let max_stiffness_n_m = largest.unwrap_or_else(|why| {
+        notes.push(ShockNote::NoLargestStiffness(why));
+        None
+    });
+    doubts.extend(not_compared(request, compared.as_ref()));
     let at = share.map(|(x_m, z_m, (horizontal, vertical))| PointShock {
         x_m,
         z_m,
@@ -719,36 +704,36 @@ fn report(
         governing,
         verdict: verdict.name(),
         max_stiffness_n_m,
-        notes,
     };
     Ok(ShockReport {
         answer,
         verdict,
         damage_boundary,
-        warnings,
+        doubts,
+        notes,
     })
 }
 
-/// Warnings for tolerances that were given but with which this landing cannot be compared.
-fn not_compared(request: &ShockRequest, compared: Option<&Compared>) -> Vec<String> {
+/// Tolerances that were given but with which this landing cannot be compared.
+fn not_compared(
+    request: &ShockRequest,
+    compared: Option<&Compared>,
+) -> impl Iterator<Item = ShockDoubt> {
     let compared = compared.map(|compared| &compared.demand_capacity);
     let is_left = |of: fn(&DemandCapacity) -> Option<f64>| compared.and_then(of).is_none();
     let kinds = [
         (
             request.component_frequency_hz.is_some() && is_left(|one| one.component),
-            "the component is not compared: a drop acceleration alone has no duration; give the rise at which it \
-             was measured, or the cushion",
+            ShockDoubt::ComponentNotCompared,
         ),
         (
             request.tolerance_edge_lift_m.is_some() && is_left(|one| one.edge_lift),
-            "the survived uplift is not compared: it needs `uplift`, `rotation` or `cg_rise`",
+            ShockDoubt::UpliftNotCompared,
         ),
     ];
     kinds
         .into_iter()
-        .filter(|(is_left, _)| *is_left)
-        .map(|(_, words)| words.to_owned())
-        .collect()
+        .filter_map(|(is_left, doubt)| is_left.then_some(doubt))
 }
 
 /// The spring on which the mass, dropped by the same rise, reaches the measured acceleration;
@@ -758,7 +743,7 @@ fn implied_spring(
     mass_kg: f64,
     rise_m: Option<f64>,
     gravity_m_s2: f64,
-    notes: &mut Vec<String>,
+    notes: &mut Vec<ShockNote>,
 ) -> Result<Option<Cushion>, Problem> {
     let Some(rise_m) = rise_m else {
         return Ok(None);
@@ -770,10 +755,7 @@ fn implied_spring(
             "give a rise above 0 at which it was measured",
         ));
     };
-    notes.push(format!(
-        "the measured drop acceleration implies {}",
-        format_si(implied_n_m, Dimension::Stiffness)
-    ));
+    notes.push(ShockNote::ImpliedStiffness(implied_n_m));
     Ok(Some(spring))
 }
 

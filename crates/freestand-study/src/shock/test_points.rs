@@ -9,6 +9,7 @@ use freestand::damage_boundary::KNEE_RATIO;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_output::answer;
 use freestand_records::tables::{DamageRow, TestMethod, load_damage_points};
+use strum::EnumCount;
 
 /// The longest pulse of Method A \[s\].
 const MAX_METHOD_A_S: f64 = 3e-3;
@@ -48,7 +49,24 @@ pub struct BoundaryTests {
     /// All points, in the order of the file.
     pub points: Vec<TestPoint>,
     /// What is missing or doubtful.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<TestsDoubt>,
+}
+
+/// What is missing or doubtful in shock tests.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum TestsDoubt {
+    /// There is no shock of this method.
+    NoShock(TestMethod),
+    /// No shock of this method below the first damage was survived.
+    NoneSurvived(TestMethod),
+    /// Every shock of this method is ignored.
+    AllIgnored(TestMethod),
+    /// No shock of this method did damage.
+    NoDamage(TestMethod),
+    /// The lines of shocks of Method B that are ignored, because their velocity change is too small.
+    BelowKnee(Vec<usize>),
+    /// The lines of shocks that give the critical velocity change, although their peaks do no damage at any.
+    WeakPeaks(Vec<usize>),
 }
 
 impl BoundaryTests {
@@ -217,7 +235,7 @@ fn contradiction(
 }
 
 fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
-    let mut warnings = Vec::new();
+    let mut doubts = Vec::new();
     let bracket = |method: TestMethod, size: Size, counts: &dyn Fn(&TestPoint) -> bool| {
         let of = |damaged| tested(&points, method, damaged);
         Bracket {
@@ -234,44 +252,24 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
     let beyond_knee =
         |point: &TestPoint| knee_m_s.is_none_or(|knee| point.velocity_change_m_s >= 0.999 * knee);
     let a = bracket(TestMethod::B, peak, &beyond_knee);
-    for (method, what, found) in [
-        (TestMethod::A, "critical velocity change", v),
-        (TestMethod::B, "critical acceleration", a),
-    ] {
+    for (method, found) in [(TestMethod::A, v), (TestMethod::B, a)] {
         let tested = points.iter().any(|point| point.method == method);
-        match (found.survived, found.damaged) {
-            (None, _) if !tested => {
-                warnings.push(format!(
-                    "no damage boundary: the tests have no shock of Method {method}, which gives the {what}"
-                ));
-            }
-            (None, Some(_)) => warnings.push(format!(
-                "no damage boundary: no shock of Method {method} below the first damage was survived, so the {what} \
-                 is not known"
-            )),
-            (None, None) => warnings.push(format!("no damage boundary: every shock of Method {method} is ignored")),
-            (Some(_), None) => warnings.push(format!(
-                "no shock of Method {method} did damage: the {what} is at least the largest survived one"
-            )),
-            (Some(_), Some(_)) => {}
-        }
+        doubts.extend(match (found.survived, found.damaged) {
+            (None, _) if !tested => Some(TestsDoubt::NoShock(method)),
+            (None, Some(_)) => Some(TestsDoubt::NoneSurvived(method)),
+            (None, None) => Some(TestsDoubt::AllIgnored(method)),
+            (Some(_), None) => Some(TestsDoubt::NoDamage(method)),
+            (Some(_), Some(_)) => None,
+        });
     }
     let lines = |is_it: &dyn Fn(&TestPoint) -> bool| {
-        let found: Vec<String> = points
-            .iter()
-            .filter(|point| is_it(point))
-            .map(|point| point.line.to_string())
-            .collect();
-        (!found.is_empty()).then(|| found.join(", "))
+        let found = points.iter().filter(|point| is_it(point));
+        let lines: Vec<usize> = found.map(|point| point.line).collect();
+        (!lines.is_empty()).then_some(lines)
     };
-    if let Some(found) =
-        lines(&|point| point.method == TestMethod::B && !point.damaged && !beyond_knee(point))
-    {
-        warnings.push(format!(
-            "shocks of Method B below 1.57 times the critical velocity change say nothing about the critical \
-             acceleration and are ignored: line {found}"
-        ));
-    }
+    let is_ignored =
+        |point: &TestPoint| point.method == TestMethod::B && !point.damaged && !beyond_knee(point);
+    doubts.extend(lines(&is_ignored).map(TestsDoubt::BelowKnee));
     // Below A_c every velocity change is survived.
     let says_nothing = |point: &TestPoint| {
         point.method == TestMethod::A
@@ -280,17 +278,12 @@ fn evaluated(points: Vec<TestPoint>) -> BoundaryTests {
             && a.survived
                 .is_some_and(|a_c| point.peak_acceleration_g <= a_c)
     };
-    if let Some(found) = lines(&says_nothing) {
-        warnings.push(format!(
-            "the critical velocity change is based on a peak that the object withstands at any velocity change: \
-             line {found}; use shorter pulses for Method A"
-        ));
-    }
+    doubts.extend(lines(&says_nothing).map(TestsDoubt::WeakPeaks));
     BoundaryTests {
         critical_velocity_change_m_s: v,
         critical_acceleration_g: a,
         points,
-        warnings,
+        doubts,
     }
 }
 
@@ -329,7 +322,7 @@ mod tests {
             (
                 tests.points.len(),
                 tests.points[3].method,
-                tests.warnings.len()
+                tests.doubts.len()
             ),
             (6, TestMethod::B, 0)
         );
@@ -404,39 +397,38 @@ mod tests {
         let cases = [
             (
                 "0.9,150,no,A\n1.1,180,yes,A\n",
-                "no shock of Method B, which gives the critical acceleration",
+                TestsDoubt::NoShock(TestMethod::B),
             ),
             (
                 "1.6,30,no,B\n1.6,35,yes,B\n",
-                "no shock of Method A, which gives the critical velocity change",
+                TestsDoubt::NoShock(TestMethod::A),
             ),
             (
                 "0.9,150,no,A\n1.6,35,yes,B\n",
-                "no shock of Method B below the first damage was survived",
+                TestsDoubt::NoneSurvived(TestMethod::B),
             ),
             // 1.57 × 0.9 = 1.413
-            ("0.9,150,no,A\n1.4,30,no,B\n", "are ignored: line 3"),
+            (
+                "0.9,150,no,A\n1.4,30,no,B\n",
+                TestsDoubt::BelowKnee(vec![3]),
+            ),
         ];
-        for (points, said) in cases {
+        for (points, doubt) in cases {
             let tests = read(&format!("{NAMES}{points}")).unwrap();
             assert_eq!(tests.critical(), None, "{points}");
-            assert!(
-                tests.warnings.iter().any(|warning| warning.contains(said)),
-                "{:?}",
-                tests.warnings
-            );
+            assert!(tests.doubts.contains(&doubt), "{:?}", tests.doubts);
         }
         let never = read(&format!("{NAMES}0.9,150,no,A\n1.413,30,no,B\n")).unwrap();
         assert_eq!(
-            (never.critical().map(|(_, v_c)| v_c), never.warnings.len()),
-            (Some(0.9), 2)
+            (never.critical().map(|(_, v_c)| v_c), never.doubts),
+            (
+                Some(0.9),
+                [TestMethod::A, TestMethod::B]
+                    .map(TestsDoubt::NoDamage)
+                    .to_vec()
+            )
         );
-        assert!(never.warnings[0].contains("at least the largest survived one"));
         let weak = read(&format!("{NAMES}0.9,25,no,A\n1.6,30,no,B\n1.6,35,yes,B\n")).unwrap();
-        assert!(
-            weak.warnings
-                .iter()
-                .any(|warning| warning.contains("any velocity change: line 2"))
-        );
+        assert!(weak.doubts.contains(&TestsDoubt::WeakPeaks(vec![2])));
     }
 }

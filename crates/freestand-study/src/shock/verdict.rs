@@ -9,6 +9,7 @@ use freestand::shock_response::{
 use freestand_output::answer;
 
 use super::ShockRequest;
+use super::doubt::NoLargestStiffness;
 
 answer! {
     /// Demand divided by capacity, by each kind of tolerance that is known.
@@ -155,7 +156,7 @@ pub(super) fn max_stiffness(
     landing: &Landing,
     rise_m: f64,
     uplift_m: Option<f64>,
-) -> (Option<f64>, Option<&'static str>) {
+) -> Result<Option<f64>, NoLargestStiffness> {
     let (mass_kg, gravity) = (request.mass_kg, request.gravity_m_s2);
     let others = [
         request.tolerance_duration_s,
@@ -167,10 +168,10 @@ pub(super) fn max_stiffness(
         (request.tolerance_m_s2, others.iter().all(Option::is_none))
     {
         let largest = landing.max_stiffness_n_m(mass_kg, rise_m, gravity, tolerance_m_s2);
-        return (Some(largest).filter(|k| k.is_finite()), None);
+        return Ok(Some(largest).filter(|k| k.is_finite()));
     }
     if others.iter().all(Option::is_none) {
-        return (None, None);
+        return Ok(None);
     }
     let exceeded = |log_k: f64| {
         let Ok(spring) = Cushion::linear(log_k.exp()) else {
@@ -192,24 +193,22 @@ pub(super) fn max_stiffness(
             .tolerance_edge_lift_m
             .zip(uplift_m)
             .is_some_and(|(survived_m, lift_m)| lift_m > survived_m);
-        let note = if lift {
-            "no stiffness brings the verdict to ok: the uplift does not depend on it"
+        return Err(if lift {
+            NoLargestStiffness::UpliftTooLarge
         } else {
-            "no stiffness brings the verdict to ok: the velocity change does not depend on it"
-        };
-        return (None, Some(note));
+            NoLargestStiffness::VelocityChangeTooLarge
+        });
     }
     // The first stiffness at which a tolerance is exceeded, in steps of a factor of 1.3: no peak of
     // a response curve is narrower.
     let steps = 128;
     let grid = |i: usize| low + (high - low) * i as f64 / f64::from(steps);
     let Some(first) = (1..=steps as usize).find(|&i| exceeded(grid(i))) else {
-        let note = if request.tolerance_velocity_change_m_s.is_some() {
-            "at any stiffness the verdict is ok: the velocity change is below its limit"
+        return Err(if request.tolerance_velocity_change_m_s.is_some() {
+            NoLargestStiffness::VelocityChangeSmall
         } else {
-            "at any stiffness the verdict is ok"
-        };
-        return (None, Some(note));
+            NoLargestStiffness::AnyWillDo
+        });
     };
     (low, high) = (grid(first - 1), grid(first));
     while high - low > 1e-12 {
@@ -220,5 +219,5 @@ pub(super) fn max_stiffness(
             low = middle
         }
     }
-    (Some(low.exp()), None)
+    Ok(Some(low.exp()))
 }
