@@ -4,12 +4,15 @@ use std::path::PathBuf;
 
 use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDropOptions, VirtualStaticOptions};
+use freestand::impact::ValidityWarning;
 use freestand_input::problem::Problems;
 use freestand_input::quantity::Dimension;
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::cushion::EdgeCushion;
-use freestand_study::laboratory::virtual_laboratory::{assume_damping, leave_out_damping};
+use freestand_study::laboratory::virtual_laboratory::{
+    AssumedDamping, assume_damping, leave_out_damping,
+};
 use freestand_study::study::DEFAULT_SEED;
 
 use crate::CushionUnder;
@@ -74,8 +77,12 @@ request! { question
 /// What is asked, in SI.
 #[derive(Debug, Clone)]
 pub struct Meant {
-    /// The cushion, and what was assumed of it.
+    /// The cushion.
     pub edge: EdgeCushion,
+    /// Its damping, where it was assumed.
+    pub assumed: Option<AssumedDamping>,
+    /// What is doubtful about its stiffness.
+    pub doubts: Vec<ValidityWarning>,
     /// What is done with it.
     pub plan: Plan,
     /// The number of tests.
@@ -129,24 +136,26 @@ impl Question for VirtualTests {
         let edge = self.edge(&mut read, is_static, mass_kg, files);
         let count = read.whole_within("count", 1..=1000).unwrap_or(1);
         let seed = seed(&mut read).unwrap_or(DEFAULT_SEED);
-        let (edge, plan) = if is_static {
+        let ((edge, assumed), plan) = if is_static {
             read.idle(&OF_DROPS, "a `static` test drops nothing");
             read.idle(&OF_SPEED, "a `static` test is too slow to feel it");
             read.idle(&["pad_thickness"], "it serves warnings about drops");
             let options = presses(&mut read, noise, seed);
-            let edge = read.problems.finish(edge)?;
-            (edge, Plan::Static(options))
+            (read.problems.finish(edge)?, Plan::Static(options))
         } else {
             read.idle(&OF_STATIC, "only a `static` test reads it");
             let options = drops(&mut read, mass_kg, noise, seed);
-            let (mut edge, options) = read.problems.finish(edge.zip(options))?;
-            let options = options(&edge.cushion);
-            let doubts = edge.stiffness_doubts(options.mass_kg);
-            edge.notes.extend(doubts.iter().map(ToString::to_string));
+            let (edge, options) = read.problems.finish(edge.zip(options))?;
+            let options = options(&edge.0.cushion);
             (edge, Plan::Drop(options))
         };
         Ok(Meant {
+            doubts: match &plan {
+                Plan::Drop(options) => edge.stiffness_doubts(options.mass_kg),
+                Plan::Static(_) => Vec::new(),
+            },
             edge,
+            assumed,
             plan,
             count,
             seed,
@@ -167,7 +176,7 @@ impl VirtualTests {
         is_static: bool,
         mass_kg: Option<f64>,
         files: &Files,
-    ) -> Option<EdgeCushion> {
+    ) -> Option<(EdgeCushion, Option<AssumedDamping>)> {
         if self.pad.words().is_empty() {
             let hint = "give `stiffness`, such as \"2190 N/mm\"";
             read.missing(&["stiffness"], "the cushion is missing", hint);
@@ -177,15 +186,14 @@ impl VirtualTests {
             true => {
                 leave_out_damping(&mut words);
                 words.remove("pad_thickness");
-                Vec::new()
+                None
             }
             false => assume_damping(&mut words),
         };
         // A wrong mass has been told, and is not missing.
         let mass_kg = mass_kg.or(read.has("mass").then_some(1.0));
         let edge = self.pad.of_words(&words, read, mass_kg, files)?;
-        let notes = [edge.notes, assumed].concat();
-        Some(EdgeCushion { notes, ..edge })
+        Some((edge, assumed))
     }
 }
 

@@ -15,6 +15,7 @@ use freestand_app::synth::{SCHEMA as SYNTH, Synth};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::validate::validate as validated;
 use freestand_records::notes::grouped;
+use freestand_report::cushion::{DropsAnswer, drops_doubts, statics_doubt};
 use freestand_report::shock::{landing_report, shock_doubt};
 use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
@@ -49,7 +50,7 @@ pub(crate) fn drop_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<
     let request = typed::<DropTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| drop_tests(&request))?.map_err(raised_all)?;
-    let text = told(DROP, &report, &report.warnings)?;
+    let text = told(DROP, &DropsAnswer(&report), &drops_doubts(&report))?;
     let loops = report
         .tests
         .iter()
@@ -64,7 +65,8 @@ pub(crate) fn static_test(py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResul
     let request = typed::<StaticTests>(values)?.resolve(&Files::Disk);
     let request = request.map_err(raised_all)?;
     let report = watched(py, None, |_| static_tests(&request))?.map_err(raised_all)?;
-    told(STATIC, &report, &report.warnings)
+    let warnings: Vec<String> = report.doubts.iter().map(statics_doubt).collect();
+    told(STATIC, &report, &warnings)
 }
 
 /// The shock response spectrum of a motion.

@@ -1,10 +1,43 @@
 //! Laboratory tests of cushions.
 
+use freestand::impact::ValidityWarning;
 use freestand_output::answer::Answer;
-use freestand_study::laboratory::drop_test::DropsReport;
+use freestand_output::answer_of;
+use freestand_study::cushion::EdgeCushion;
+use freestand_study::laboratory::drop_test::{DropReport, DropsReport, PooledReport};
 use freestand_study::laboratory::static_curve::StaticsReport;
+use freestand_study::laboratory::virtual_laboratory::AssumedDamping;
+use freestand_study::recorded::Failed;
 
+mod doubts;
+
+pub use self::doubts::{curve_doubt, drops_doubts, statics_doubt};
+use self::doubts::{no_pad, no_stiffness};
 use crate::table::{Column, facts_table, failed_lines, lines};
+
+answer_of!(
+    /// Drop tests, and why some give no stiffness.
+    pub struct DropsAnswer<'r>(pub &'r DropsReport) as report {
+    tests: Vec<OfDrop<'_>> = report.0.tests.iter().map(OfDrop).collect();
+    pooled: OfPad<'_> = OfPad(&report.0.pooled);
+    /// Files that could not be read.
+    failed: Vec<&Failed> = report.0.failed.iter().collect();
+});
+
+answer_of!(
+    /// A drop.
+    struct OfDrop<'r>(&'r DropReport) as one {
+    drop: &DropReport = one.0 => flat;
+    reason: Option<String> = no_stiffness(one.0) => "no stiffness";
+});
+
+answer_of!(
+    /// All drops as one pad.
+    struct OfPad<'r>(&'r PooledReport) as one {
+    pooled: &PooledReport = one.0 => flat;
+    /// Why there is no pad although each drop has a stiffness.
+    reason: Option<String> = no_pad(one.0);
+});
 
 /// The table of several tests.
 const DROPS: [Column; 14] = [
@@ -36,7 +69,7 @@ fn columns(report: &DropsReport) -> Vec<Column> {
 /// What drop tests say about a cushion.
 pub fn drops_text(report: &DropsReport) -> String {
     let mut out = if let [one] = report.tests.as_slice() {
-        lines(&one.facts())
+        lines(&OfDrop(one).facts())
     } else {
         facts_table(report.tests.iter().map(Answer::facts), &columns(report))
     };
@@ -62,6 +95,20 @@ const STATICS: [Column; 10] = [
 /// What static tests say about a cushion.
 pub fn statics_text(report: &StaticsReport) -> String {
     facts_table(report.tests.iter().map(Answer::facts), &STATICS) + &failed_lines(&report.failed)
+}
+
+/// How a virtual pad was read, and what is doubtful about it.
+pub fn virtual_pad_notes(
+    edge: &EdgeCushion,
+    assumed: Option<AssumedDamping>,
+    doubts: &[ValidityWarning],
+) -> Vec<String> {
+    let assumed = assumed.map(|AssumedDamping { law, key, value }| {
+        format!("the {key} of the {law} pad is not given; {value} is assumed")
+    });
+    let doubts = doubts.iter().map(ToString::to_string);
+    let read = edge.notes.iter().cloned();
+    read.chain(assumed).chain(doubts).collect()
 }
 
 /// The table of tests that were made up.

@@ -35,6 +35,7 @@ use freestand_inventory::CheckReport;
 use freestand_inventory::library::{CushionEntry, ToleranceEntry};
 use freestand_output::answer::{Answer, Described as _, object};
 use freestand_report::assessment::{JobReport, PlanReport, row_schema};
+use freestand_report::cushion::DropsAnswer;
 use freestand_report::fragility::{FragilityAnswer, RunsAnswer};
 use freestand_report::object::ObjectReport;
 use freestand_report::restraint::{RestrainListReport, RestrainReport};
@@ -44,7 +45,6 @@ use freestand_study::check::Check;
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
 use freestand_study::laboratory::cushion_curve::CurveReport;
-use freestand_study::laboratory::drop_test::DropsReport;
 use freestand_study::laboratory::static_curve::StaticsReport;
 use freestand_study::laboratory::virtual_laboratory::{RecoveryReport, SimulatedTests};
 use freestand_study::matched::FitReport;
@@ -169,7 +169,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "cushion-drop.response.json",
-            of_answer::<DropsReport>("cushion drop", drop_test::SCHEMA),
+            of_answer::<DropsAnswer<'_>>("cushion drop", drop_test::SCHEMA),
         ),
         (
             "cushion-curve.request.json",

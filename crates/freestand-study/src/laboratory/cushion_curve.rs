@@ -4,12 +4,13 @@
 use std::path::Path;
 
 use freestand::G0_M_S2;
-use freestand::cushion::{CurveError, StressEnergy, StressEnergyFit};
+use freestand::cushion::{CurveError, CushionTest, StressEnergy, StressEnergyFit};
 
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_output::{answer, answer_of};
 use freestand_records::tables::load_curve;
+use strum::EnumCount;
 
 /// A design; `None` where a value is not given.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -38,8 +39,43 @@ pub struct CurveReport {
     needed: Option<Design>,
     /// The thinnest that keeps the limit.
     optimum: Option<Design>,
-    /// Warnings for the user.
-    pub warnings: Vec<String>,
+    /// What is doubtful.
+    pub doubts: Vec<CurveDoubt>,
+}
+
+/// Something doubtful about a cushion curve or its design.
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
+pub enum CurveDoubt {
+    /// A part of the design needs the curve where no test is.
+    Extrapolated {
+        /// Which part.
+        part: CurvePart,
+        /// The energy at which it needs the curve \[J/m³\].
+        energy_j_m3: f64,
+        /// What the tests cover \[J/m³\].
+        tested_j_m3: (f64, f64),
+    },
+    /// No thickness keeps the limit at the given static stress.
+    TooLight,
+    /// The tests scatter about the curve: R².
+    Scatter(f64),
+    /// A drop height that no test and no design needs.
+    DropHeightUnused,
+    /// A thickness that no test and no design needs.
+    ThicknessUnused,
+}
+
+/// A part of a design that is read off the curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CurvePart {
+    /// The best static stress.
+    BestStress,
+    /// The peak at the given static stress.
+    Peak,
+    /// The thickness at the given static stress.
+    Thickness,
+    /// The least thickness.
+    Optimum,
 }
 
 /// A cushion under a load that falls on it.
@@ -127,13 +163,13 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
             "thickness",
             "thickness",
         )?;
-        let sizes = [
-            row.static_stress_pa,
+        let test = CushionTest {
+            static_stress_pa: row.static_stress_pa,
             drop_height_m,
             thickness_m,
-            row.peak_acceleration_m_s2,
-        ];
-        if sizes.iter().any(|&size| !(size > 0.0 && size.is_finite())) {
+            peak_acceleration_g: row.peak_acceleration_m_s2 / G0_M_S2,
+        };
+        if !test.is_positive() {
             let problem = Problem::new(
                 ProblemKind::Value,
                 "stress, height, thickness and peak must be positive",
@@ -143,12 +179,7 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
                 .in_file(path)
                 .hint("correct the row, or make it a comment with #"));
         }
-        tests.push((
-            row.static_stress_pa,
-            drop_height_m,
-            thickness_m,
-            row.peak_acceleration_m_s2 / G0_M_S2,
-        ));
+        tests.push(test);
     }
     let fit = StressEnergy::fitted(&tests).map_err(|error| {
         let hint = match error {
@@ -161,17 +192,12 @@ pub fn cushion_curve(path: &Path, request: &CurveRequest) -> Result<CurveReport,
             .hint(hint)
     })?;
     let mut report = report(fit, &tests, *request);
-    let idle = |key: &str, needs: &str| {
-        format!("`{key}` has no effect: all tests state theirs, and a design also needs {needs}")
-    };
     let (height, thickness) = (request.drop_height_m, request.thickness_m);
     if height.is_some() && !takes_height && thickness.or(request.limit_m_s2).is_none() {
-        report
-            .warnings
-            .push(idle("drop_height", "`thickness` or `limit`"));
+        report.doubts.push(CurveDoubt::DropHeightUnused);
     }
     if thickness.is_some() && !takes_thickness && height.is_none() {
-        report.warnings.push(idle("thickness", "`drop_height`"));
+        report.doubts.push(CurveDoubt::ThicknessUnused);
     }
     Ok(report)
 }
@@ -185,22 +211,19 @@ impl CurveReport {
     }
 }
 
-fn report(
-    fit: StressEnergyFit,
-    tests: &[(f64, f64, f64, f64)],
-    request: CurveRequest,
-) -> CurveReport {
+fn report(fit: StressEnergyFit, tests: &[CushionTest], request: CurveRequest) -> CurveReport {
     let curve = fit.curve;
     let (least, most) = fit.energies_j_m3;
-    let within = |what: &str, design: Option<Design>| {
+    let within = |part, design: Option<Design>| {
         let of = design?;
-        let energy = of.static_stress_pa * of.drop_height_m / of.thickness_m;
-        (!(least * 0.999..=most * 1.001).contains(&energy)).then(|| {
-            format!(
-                "{what} needs the curve at {energy:.4e} J/m³, but the tests cover {least:.4e} to {most:.4e}: it is \
-                 extrapolated"
-            )
-        })
+        let energy_j_m3 = of.static_stress_pa * of.drop_height_m / of.thickness_m;
+        (!(least * 0.999..=most * 1.001).contains(&energy_j_m3)).then_some(
+            CurveDoubt::Extrapolated {
+                part,
+                energy_j_m3,
+                tested_j_m3: (least, most),
+            },
+        )
     };
     let design = |static_stress_pa, drop_height_m, thickness_m| Design {
         static_stress_pa,
@@ -229,31 +252,25 @@ fn report(
     });
     let too_light = asked.is_some() && needed.is_none();
     let scatter = fit.r_squared_ratio < 0.9;
-    let warnings = [
-        within("the best static stress", best),
-        within("the peak", given),
-        within("the thickness", needed),
-        too_light.then(|| {
-            "no thickness keeps the peak within the limit at this static stress: the load is too light for this \
-             cushion; reduce the area of the cushion"
-                .to_owned()
-        }),
-        within("the optimum thickness", optimum),
-        scatter.then(|| {
-            format!(
-                "the tests scatter about the stress-energy curve (R² = {:.3}): one curve may not apply to all heights \
-                 and thicknesses",
-                fit.r_squared_ratio
-            )
-        }),
+    let doubts = [
+        within(CurvePart::BestStress, best),
+        within(CurvePart::Peak, given),
+        within(CurvePart::Thickness, needed),
+        too_light.then_some(CurveDoubt::TooLight),
+        within(CurvePart::Optimum, optimum),
+        scatter.then_some(CurveDoubt::Scatter(fit.r_squared_ratio)),
     ];
-    let test = |&(s, h, t, g): &(f64, f64, f64, f64)| CurveTest {
-        static_stress_pa: s,
-        drop_height_m: h,
-        thickness_m: t,
-        energy_j_m3: s * h / t,
-        peak_acceleration_g: g,
-        curve_g: curve.peak_acceleration_g(s, h, t),
+    let test = |test: &CushionTest| CurveTest {
+        static_stress_pa: test.static_stress_pa,
+        drop_height_m: test.drop_height_m,
+        thickness_m: test.thickness_m,
+        energy_j_m3: test.energy_j_m3(),
+        peak_acceleration_g: test.peak_acceleration_g,
+        curve_g: curve.peak_acceleration_g(
+            test.static_stress_pa,
+            test.drop_height_m,
+            test.thickness_m,
+        ),
     };
     CurveReport {
         tests: tests.iter().map(test).collect(),
@@ -263,7 +280,7 @@ fn report(
         given,
         needed,
         optimum,
-        warnings: warnings.into_iter().flatten().collect(),
+        doubts: doubts.into_iter().flatten().collect(),
     }
 }
 
@@ -306,18 +323,17 @@ mod tests {
              10,600,50,44\n",
         )
         .unwrap();
-        for (key, drop_height_m, thickness_m) in [
-            ("drop_height", Some(0.6), None),
-            ("thickness", None, Some(0.05)),
+        for (doubt, drop_height_m, thickness_m) in [
+            (CurveDoubt::DropHeightUnused, Some(0.6), None),
+            (CurveDoubt::ThicknessUnused, None, Some(0.05)),
         ] {
             let request = CurveRequest {
                 drop_height_m,
                 thickness_m,
                 ..CurveRequest::default()
             };
-            let told = cushion_curve(&path, &request).unwrap().warnings;
-            let words = format!("`{key}` has no effect");
-            assert!(told.iter().any(|one| one.starts_with(&words)), "{told:?}");
+            let doubts = cushion_curve(&path, &request).unwrap().doubts;
+            assert!(doubts.contains(&doubt), "{doubts:?}");
         }
         std::fs::remove_file(&path).unwrap();
         let best = report.best.unwrap();
@@ -326,13 +342,15 @@ mod tests {
         // Four decimals of the limit are known.
         assert!((report.optimum.unwrap().thickness_m / 0.02 - 1.0).abs() < 1e-5);
         // 30 kPa asks for 1.5 times the energy of the hardest test.
-        assert!(
-            report
-                .warnings
-                .iter()
-                .any(|warning| warning.starts_with("the peak needs")),
-            "{:?}",
-            report.warnings
-        );
+        let is_peak = |doubt: &CurveDoubt| {
+            matches!(
+                doubt,
+                CurveDoubt::Extrapolated {
+                    part: CurvePart::Peak,
+                    ..
+                }
+            )
+        };
+        assert!(report.doubts.iter().any(is_peak), "{:?}", report.doubts);
     }
 }

@@ -8,12 +8,12 @@ use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::quantity::Dimension;
-use freestand_input::words::significant;
 use freestand_output::answer_of;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_records::formats::Sensitivity;
 use freestand_records::tables::laboratory::load_static;
+use strum::EnumCount;
 
 /// A warning needs a toe below zero by this many standard errors at least.
 const NOISE_ERRORS: f64 = 3.0;
@@ -64,8 +64,31 @@ pub struct StaticsReport {
     pub tests: Vec<StaticReport>,
     /// Files that could not be evaluated.
     pub failed: Vec<Failed>,
-    /// Warnings for the user.
-    pub warnings: Vec<String>,
+    /// What is doubtful.
+    pub doubts: Vec<StaticsDoubt>,
+}
+
+/// Something doubtful in static tests.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum StaticsDoubt {
+    /// The ratio of dynamic to static stiffness is that of these tests alone.
+    RatioOfTheseTests,
+    /// The unloading curve is above the loading curve in this file.
+    UnloadsAbove(String),
+    /// Other cycles of a file are left out.
+    OtherCycles {
+        /// The file.
+        path: String,
+        /// How many.
+        cycles: usize,
+    },
+    /// The tangent meets zero force before the first point.
+    NegativeToe {
+        /// The file.
+        path: String,
+        /// How far before it \[m\].
+        before_m: f64,
+    },
 }
 
 answer_of!(StaticReport as one {
@@ -103,7 +126,7 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> 
         &[Dimension::Force, Dimension::Length],
         "2 mV/N",
     )?;
-    let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut tests, mut failed, mut doubts) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
         match one(path, request) {
             Ok(test) => tests.push(test),
@@ -114,62 +137,44 @@ pub fn static_tests(request: &StaticRequest) -> Result<StaticsReport, Problems> 
         return Err(failed.into_iter().map(|one| one.problem).collect());
     }
     if request.dynamic_stiffness_n_m.is_some() {
-        warnings.push(
-            "the ratio of dynamic to static stiffness is valid for these tests only, not for another pad, boundary or \
-             impactor"
-                .to_owned(),
-        );
+        doubts.push(StaticsDoubt::RatioOfTheseTests);
     }
     for test in tests.iter().filter(|test| {
         test.test
             .hysteresis_ratio
             .is_some_and(|ratio| ratio < -1e-3)
     }) {
-        warnings.push(format!(
-            "{}: the unloading curve is above the loading curve: check the signs and the order of the points",
-            test.path
-        ));
+        doubts.push(StaticsDoubt::UnloadsAbove(test.path.clone()));
     }
-    tests.iter().for_each(|test| notes(test, &mut warnings));
+    doubts.extend(tests.iter().flat_map(doubts_of));
     Ok(StaticsReport {
         tests,
         failed,
-        warnings,
+        doubts,
     })
 }
 
-/// Warnings about the cycle and the toe of a test.
-fn notes(report: &StaticReport, warnings: &mut Vec<String>) {
-    let mut say = |text: String| warnings.push(format!("{}: {text}", report.path));
-    if report.test.other_cycles > 0 {
-        let others = if report.test.other_cycles == 1 {
-            "cycle is"
-        } else {
-            "cycles are"
-        };
-        say(format!(
-            "{} other {others} left out: the last full one is evaluated",
-            report.test.other_cycles
-        ));
-    }
-    let least_m = (NOISE_ERRORS * report.test.toe_error_m)
-        .max(NEGATIVE_TOE_SHARE * report.test.max_compression_m);
-    if report.test.toe_m < -least_m {
-        say(format!(
-            "the tangent meets zero force {} mm before the first point: this indicates a preload or a pad that \
-             softens; with `toe = \"keep\"` the secant starts at the first point",
-            significant(-1e3 * report.test.toe_m, 3)
-        ));
-    }
+/// What is doubtful about the cycle and the toe of a test.
+fn doubts_of(report: &StaticReport) -> impl Iterator<Item = StaticsDoubt> {
+    let (path, test) = (&report.path, &report.test);
+    let least_m =
+        (NOISE_ERRORS * test.toe_error_m).max(NEGATIVE_TOE_SHARE * test.max_compression_m);
+    let cycles = (test.other_cycles > 0).then(|| StaticsDoubt::OtherCycles {
+        path: path.clone(),
+        cycles: test.other_cycles,
+    });
+    let toe = (test.toe_m < -least_m).then(|| StaticsDoubt::NegativeToe {
+        path: path.clone(),
+        before_m: -test.toe_m,
+    });
+    cycles.into_iter().chain(toe)
 }
 
 fn one(path: &Path, request: &StaticRequest) -> Result<StaticReport, Problem> {
     let read = load_static(path, &request.sensitivities)?;
     let said = |key: &str| {
-        read.said
-            .iter()
-            .find(|(k, ..)| k == key)
-            .map(|(_, value, _)| value.clone())
+        let mut comments = read.comments.iter();
+        Some(comments.find(|one| one.key == key)?.value.clone())
     };
     let impactor = request.impactor.clone().or_else(|| said("impactor"));
     let usual = if Impactor::of(impactor.as_deref()) == Impactor::Sphere {

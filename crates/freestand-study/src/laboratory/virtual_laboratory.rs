@@ -191,11 +191,19 @@ impl RecoveryRequest {
     }
 }
 
-/// Damping of virtual pads whose law has some, where it is not given: law, key and value. As in
+/// Damping of virtual pads whose law has some, where it is not given: as in
 /// [`RecoveryRequest::worked_example`].
-const ASSUMED_DAMPING: [(&str, &str, &str); 2] = [
-    ("kelvin-voigt", "damping", "10 %"),
-    ("hunt-crossley", "dissipation", "0.3 s/m"),
+const ASSUMED_DAMPING: [AssumedDamping; 2] = [
+    AssumedDamping {
+        law: "kelvin-voigt",
+        key: "damping",
+        value: "10 %",
+    },
+    AssumedDamping {
+        law: "hunt-crossley",
+        key: "dissipation",
+        value: "0.3 s/m",
+    },
 ];
 
 /// No damping, as these laws write it.
@@ -215,20 +223,26 @@ pub fn leave_out_damping(words: &mut Words) {
     }
 }
 
-/// Adds the damping that a virtual pad lacks, and says so.
-pub fn assume_damping(words: &mut Words) -> Vec<String> {
+/// Damping that was assumed of a virtual pad.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct AssumedDamping {
+    /// The law of the pad.
+    pub law: &'static str,
+    /// The key of its damping.
+    pub key: &'static str,
+    /// Its value.
+    pub value: &'static str,
+}
+
+/// Adds the damping that a virtual pad lacks.
+pub fn assume_damping(words: &mut Words) -> Option<AssumedDamping> {
     let law = words.get("law").map(|law| law.trim().to_lowercase());
     let missing = |key: &str| words.get(key).is_none();
     let assumed = ASSUMED_DAMPING
         .into_iter()
-        .find(|(of, key, _)| law.as_deref() == Some(of) && missing(key));
-    let Some((law, key, value)) = assumed else {
-        return Vec::new();
-    };
-    words.set(key, value);
-    vec![format!(
-        "the {key} of the {law} pad is not given; {value} is assumed"
-    )]
+        .find(|one| law.as_deref() == Some(one.law) && missing(one.key))?;
+    words.set(assumed.key, assumed.value);
+    Some(assumed)
 }
 
 /// The result of one drop.
@@ -465,16 +479,17 @@ mod tests {
             ("hunt-crossley", "dissipation"),
         ] {
             let mut words: Words = [("law", law)].into_iter().collect();
-            assert_eq!(assume_damping(&mut words).len(), 1, "{law}");
+            assert!(assume_damping(&mut words).is_some(), "{law}");
             assert!(words.get(key).is_some(), "{law}");
             leave_out_damping(&mut words);
             assert!(words.get(key).is_some_and(|text| text.starts_with("0 ")));
         }
         let mut linear: Words = [("damping", "5 %")].into_iter().collect();
-        assert_eq!(assume_damping(&mut linear).len(), 0);
+        assert_eq!(assume_damping(&mut linear), None);
         leave_out_damping(&mut linear);
         assert!(linear.is_empty());
     }
+    use crate::laboratory::drop_test::doubt::DropDoubt;
     use crate::laboratory::drop_test::{DropRequest, drop_tests};
     use freestand::identify::FittedLaw;
     use freestand_records::formats::{ReadOptions, parse_sensitivity};
@@ -525,7 +540,7 @@ mod tests {
             ..DropRequest::default()
         };
         let report = drop_tests(&request).unwrap();
-        assert_eq!(report.warnings, Vec::<String>::new());
+        assert!(report.doubts.is_empty() && report.pooled.doubts.is_empty());
         // Where the velocity is found from the pulse, and the samples are evenly spaced.
         let path = folder.path().join("unsaid.csv");
         let said = std::fs::read_to_string(&request.files[0]).unwrap();
@@ -543,11 +558,10 @@ mod tests {
             read,
             ..request.clone()
         };
-        let told = drop_tests(&idle).unwrap().warnings;
-        for key in ["velocity_error", "resample"] {
-            let words = format!("`{key}` has no effect");
-            assert!(told.iter().any(|one| one.contains(&words)), "{told:?}");
-        }
+        let doubts = drop_tests(&idle).unwrap().doubts;
+        let is_told = |of: &dyn Fn(&DropDoubt) -> bool| doubts.iter().any(|one| of(&one.doubt));
+        assert!(is_told(&|one| *one == DropDoubt::VelocityErrorUnused));
+        assert!(is_told(&|one| matches!(one, DropDoubt::EvenlySpaced(_))));
         assert!(report.all_gave() && report.tests.iter().all(|test| test.test.flags.is_empty()));
         let pooled = &report.pooled;
         let pad = pooled.pad.as_ref().unwrap();

@@ -17,6 +17,44 @@ pub struct StressEnergy {
     pub exponent_m3_j: f64,
 }
 
+/// A drop of a mass on a cushion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CushionTest {
+    /// s = mg/A \[Pa\].
+    pub static_stress_pa: f64,
+    /// h \[m\].
+    pub drop_height_m: f64,
+    /// t \[m\].
+    pub thickness_m: f64,
+    /// G \[g\].
+    pub peak_acceleration_g: f64,
+}
+
+impl CushionTest {
+    /// E = s h/t \[J/m³\].
+    pub fn energy_j_m3(&self) -> f64 {
+        self.static_stress_pa * self.drop_height_m / self.thickness_m
+    }
+
+    /// Whether every value is positive.
+    pub fn is_positive(&self) -> bool {
+        let Self {
+            static_stress_pa,
+            drop_height_m,
+            thickness_m,
+            peak_acceleration_g,
+        } = *self;
+        [
+            static_stress_pa,
+            drop_height_m,
+            thickness_m,
+            peak_acceleration_g,
+        ]
+        .iter()
+        .all(|&size| size > 0.0 && size.is_finite())
+    }
+}
+
 /// A [`StressEnergy`] from tests, and how well it describes them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StressEnergyFit {
@@ -60,8 +98,7 @@ pub enum CurveError {
 }
 
 impl StressEnergy {
-    /// Least squares on ln σ = ln a + b E over tests given as (static stress \[Pa\], drop
-    /// height \[m\], thickness \[m\], peak acceleration \[g\]).
+    /// Least squares on ln σ = ln a + b E over tests.
     ///
     /// # Reference
     /// ASTM D1596 for the tests; Burgess (1990), Consolidation of cushion curves, for the
@@ -70,18 +107,19 @@ impl StressEnergy {
     /// # Errors
     /// Fewer than 3 tests, a test with a value that is not positive, tests of equal energy, or a
     /// stress that does not grow with the energy.
-    pub fn fitted(tests: &[(f64, f64, f64, f64)]) -> Result<StressEnergyFit, CurveError> {
+    pub fn fitted(tests: &[CushionTest]) -> Result<StressEnergyFit, CurveError> {
         if tests.len() < 3 {
             return Err(CurveError::TooFew { tests: tests.len() });
         }
-        let sizes = |test: &(f64, f64, f64, f64)| [test.0, test.1, test.2, test.3];
-        let is_bad = |test| sizes(test).iter().any(|x| !(*x > 0.0 && x.is_finite()));
-        if let Some(index) = tests.iter().position(is_bad) {
+        if let Some(index) = tests.iter().position(|test| !test.is_positive()) {
             return Err(CurveError::NotPositive { number: index + 1 });
         }
         let points: Vec<(f64, f64)> = tests
             .iter()
-            .map(|&(s, h, t, g)| (s * h / t, (g * s).ln()))
+            .map(|test| {
+                let stress_pa = test.peak_acceleration_g * test.static_stress_pa;
+                (test.energy_j_m3(), stress_pa.ln())
+            })
             .collect();
         let count = points.len() as f64;
         let mean = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
@@ -164,11 +202,16 @@ mod tests {
         exponent_m3_j: 1.7e-5,
     };
 
-    fn tests_of(foam: StressEnergy) -> Vec<(f64, f64, f64, f64)> {
+    fn tests_of(foam: StressEnergy) -> Vec<CushionTest> {
         let mut tests = Vec::new();
         for (h, t) in [(0.3, 0.05), (0.6, 0.05), (0.6, 0.1)] {
             for s in [2e3, 4e3, 7e3] {
-                tests.push((s, h, t, foam.peak_acceleration_g(s, h, t)));
+                tests.push(CushionTest {
+                    static_stress_pa: s,
+                    drop_height_m: h,
+                    thickness_m: t,
+                    peak_acceleration_g: foam.peak_acceleration_g(s, h, t),
+                });
             }
         }
         tests
@@ -207,14 +250,17 @@ mod tests {
         let same = vec![tests[0]; 4];
         assert_eq!(StressEnergy::fitted(&same), Err(CurveError::OneEnergy));
         let mut bad = tests.clone();
-        bad[3].2 = 0.0;
+        bad[3].thickness_m = 0.0;
         assert_eq!(
             StressEnergy::fitted(&bad),
             Err(CurveError::NotPositive { number: 4 })
         );
         let falling: Vec<_> = tests
             .iter()
-            .map(|&(s, h, t, _)| (s, h, t, 1.0 / (s * h / t)))
+            .map(|test| CushionTest {
+                peak_acceleration_g: 1.0 / test.energy_j_m3(),
+                ..*test
+            })
             .collect();
         assert!(matches!(
             StressEnergy::fitted(&falling),

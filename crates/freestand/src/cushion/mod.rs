@@ -7,7 +7,7 @@ mod curve;
 mod history;
 mod landing;
 
-pub use curve::{CurveError, StressEnergy, StressEnergyFit};
+pub use curve::{CurveError, CushionTest, StressEnergy, StressEnergyFit};
 pub use history::ContactPoint;
 pub use landing::Contact;
 

@@ -100,54 +100,6 @@ impl Flag {
     pub fn name(self) -> &'static str {
         self.into()
     }
-
-    /// What the flag means and how to remove its cause.
-    pub fn remedy(self) -> &'static str {
-        match self {
-            Self::NoPulse => {
-                "no pulse exceeds the noise: check the column, the unit and the trigger"
-            }
-            Self::UpsideDown => {
-                "the pulse points down: change its sign if the sensor is mounted upside down"
-            }
-            Self::NoPreTrigger => {
-                "too few samples before the contact for a zero line: use a longer pre-trigger"
-            }
-            Self::CutOff => "the record ends before the contact does: record for longer",
-            Self::Clipped => {
-                "the top of the pulse is flat: use a larger sensor range or a lower drop"
-            }
-            Self::FewSamples => "fewer than 25 samples per contact: sample at a higher rate",
-            Self::ZeroShift => {
-                "the zero line shifts during the contact: check the cable and the mounting of the sensor"
-            }
-            Self::Drift => {
-                "the zero line drifts: let the sensor settle, or check its coupling and temperature"
-            }
-            Self::Filter => {
-                "the low-pass corner is below 6 divided by the contact time, so the pulse shows the filter as well \
-                 as the pad: raise the corner, and state it as `corner`"
-            }
-            Self::Impulse => {
-                "the impulse of the pulse does not agree with the mass and its velocity: check the unit, the mass \
-                 and the drop height"
-            }
-            Self::Velocity => {
-                "the pulse fits an impact velocity that differs from the stated one: check the height and the guides"
-            }
-            Self::Damping => {
-                "the pulse returns more energy than it took, so no damping is reported: check the zero line and the \
-                 velocity, or try another law"
-            }
-            Self::PoorFit => {
-                "no law fits the samples: check in the loop whether the pad bottoms or the plate tilts"
-            }
-            Self::Integration => {
-                "the stiffness from the integrated samples differs from that of the fit: check the velocity, the zero \
-                 line and the filter"
-            }
-        }
-    }
 }
 
 /// The source of the impact velocity.

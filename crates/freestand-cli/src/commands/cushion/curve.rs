@@ -5,6 +5,7 @@ use std::slice;
 use clap::Args;
 use freestand_app::cushion_curve::{CushionCurve, Meant, SCHEMA};
 use freestand_output::answer::Answer;
+use freestand_report::cushion::curve_doubt;
 use freestand_report::table::lines;
 use freestand_study::laboratory::cushion_curve::cushion_curve;
 
@@ -38,7 +39,8 @@ impl Tell for CushionCurve {
     ) -> Result<Done, Failure> {
         let files = Files::begin(global, slice::from_ref(&file))?;
         let report = cushion_curve(&file, &design)?;
-        files.print(printer, SCHEMA, &report, &report.warnings, || {
+        let warnings: Vec<String> = report.doubts.iter().map(curve_doubt).collect();
+        files.print(printer, SCHEMA, &report, &warnings, || {
             lines(&report.facts())
         })?;
         Ok(Done::OK)

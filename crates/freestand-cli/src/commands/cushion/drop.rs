@@ -3,7 +3,7 @@
 use clap::Args;
 use freestand::identify::DropTest;
 use freestand_app::drop_test::{DropTests, SCHEMA};
-use freestand_report::cushion::drops_text;
+use freestand_report::cushion::{DropsAnswer, drops_doubts, drops_text};
 use freestand_report::figures::drop_figures;
 use freestand_study::laboratory::drop_test::{DropRequest, cushion_toml, drop_tests, loop_table};
 use serde::Serialize;
@@ -63,7 +63,8 @@ impl Tell for DropTests {
                     .collect(),
             });
         }
-        files.print(printer, SCHEMA, &report, &report.warnings, || {
+        let warnings = drops_doubts(&report);
+        files.print(printer, SCHEMA, &DropsAnswer(&report), &warnings, || {
             drops_text(&report)
         })?;
         printer.failed(&report.failed);

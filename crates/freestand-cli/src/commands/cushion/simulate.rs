@@ -6,7 +6,7 @@ use freestand::cushion::Cushion;
 use freestand::identify::{VirtualDrop, VirtualDropOptions, VirtualStaticOptions};
 use freestand_app::virtual_test::{Meant, Plan, SCHEMA, VirtualTests};
 use freestand_output::answer::Answer;
-use freestand_report::cushion::SIMULATED;
+use freestand_report::cushion::{SIMULATED, virtual_pad_notes};
 use freestand_report::table::facts_table;
 use freestand_study::laboratory::virtual_laboratory::{
     SimulatedTest, SimulatedTests, drop_file, static_file,
@@ -41,7 +41,8 @@ impl Tell for VirtualTests {
                 "give --out DIR",
             ));
         }
-        let (cushion, notes) = (&meant.edge.cushion, &meant.edge.notes);
+        let cushion = &meant.edge.cushion;
+        let notes = &virtual_pad_notes(&meant.edge, meant.assumed, &meant.doubts);
         let files = Files::begin(global, &meant.inputs)?;
         let mut tests = Vec::new();
         let mut first = String::new();

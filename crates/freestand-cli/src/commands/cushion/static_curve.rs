@@ -2,7 +2,7 @@
 
 use clap::Args;
 use freestand_app::static_test::{SCHEMA, StaticTests};
-use freestand_report::cushion::statics_text;
+use freestand_report::cushion::{statics_doubt, statics_text};
 use freestand_report::figures::static_figure;
 use freestand_study::laboratory::static_curve::{StaticRequest, curve_table, static_tests};
 
@@ -39,7 +39,8 @@ impl Tell for StaticTests {
             })?;
         }
         files.figure("static", || static_figure(&report))?;
-        files.print(printer, SCHEMA, &report, &report.warnings, || {
+        let warnings: Vec<String> = report.doubts.iter().map(statics_doubt).collect();
+        files.print(printer, SCHEMA, &report, &warnings, || {
             statics_text(&report)
         })?;
         printer.failed(&report.failed);

@@ -20,22 +20,33 @@ pub struct ForceDisplacement {
     pub force_n: Vec<f64>,
     /// Displacement \[m\].
     pub displacement_m: Vec<f64>,
-    /// Facts from the comments: key, value, line.
-    pub said: Vec<(String, String, usize)>,
+    /// Facts from the comments.
+    pub comments: Vec<Comment>,
 }
 
-/// `# key: value` lines of a text, keys in lower case.
-pub fn comments(bytes: &[u8]) -> Vec<(String, String, usize)> {
-    let said =
+/// A line `# key: value`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Comment {
+    /// In lower case.
+    pub key: String,
+    /// As it was written.
+    pub value: String,
+    /// Its line, from 1.
+    pub line: usize,
+}
+
+/// The comments at the head of a text.
+pub fn comments(bytes: &[u8]) -> Vec<Comment> {
+    let head =
         lines(bytes).take_while(|line| line.is_comment() || line.is_blank() || line.number == 1);
-    said.filter_map(|line| {
+    head.filter_map(|line| {
         let text = line.text();
         let (key, value) = text.trim_start().strip_prefix('#')?.split_once(':')?;
-        Some((
-            key.trim().to_lowercase(),
-            value.trim().to_owned(),
-            line.number,
-        ))
+        Some(Comment {
+            key: key.trim().to_lowercase(),
+            value: value.trim().to_owned(),
+            line: line.number,
+        })
     })
     .collect()
 }
@@ -111,7 +122,7 @@ fn read_static(bytes: &[u8], sensitivities: &[Sensitivity]) -> Result<ForceDispl
     Ok(ForceDisplacement {
         force_n,
         displacement_m,
-        said: comments(bytes),
+        comments: comments(bytes),
     })
 }
 
@@ -128,7 +139,12 @@ mod tests {
             (read.force_n, read.displacement_m),
             (vec![0.0, 500.0], vec![0.0, 0.25e-3])
         );
-        assert_eq!(read.said[1], ("boundary".to_owned(), "glued".to_owned(), 2));
+        let boundary = Comment {
+            key: "boundary".to_owned(),
+            value: "glued".to_owned(),
+            line: 2,
+        };
+        assert_eq!(read.comments[1], boundary);
         for text in [
             "0,0\n1,2\n",
             "force [N],x\n0,0\n1,1\n",

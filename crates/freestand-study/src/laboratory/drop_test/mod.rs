@@ -1,5 +1,6 @@
 //! Drop tests of a cushion, from files to a pooled law: request → report.
 
+pub mod doubt;
 mod pool;
 
 use std::path::{Path, PathBuf};
@@ -12,17 +13,18 @@ use freestand::identify::{
 };
 use freestand::impact::HALF_SPACE_SHARE;
 
+use self::doubt::{DropDoubt, DropsDoubt};
 use super::virtual_laboratory::{DEFAULT_VELOCITY_ERROR_RATIO, check_speed};
 use super::{Impactor, check_sensors};
 use crate::recorded::Failed;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_input::quantity::{Dimension, parse_positive};
-use freestand_input::words::{self, Choices, counted, shortest, significant};
+use freestand_input::words::{self, Choices};
 use freestand_output::answer_of;
 use freestand_output::rows::table_of_numbers;
 use freestand_output::table::Table;
 use freestand_records::formats::{ReadOptions, parse_motions};
-use freestand_records::tables::laboratory::{comments, load};
+use freestand_records::tables::laboratory::{Comment, comments, load};
 
 pub use pool::{PooledReport, cushion_toml};
 
@@ -129,25 +131,18 @@ pub struct DropsReport {
     pub pooled: PooledReport,
     /// Files that could not be read.
     pub failed: Vec<Failed>,
-    /// Warnings for the user.
-    pub warnings: Vec<String>,
+    /// What is doubtful in the files, in their order.
+    pub doubts: Vec<DropsDoubt>,
 }
 
 impl DropsReport {
     /// Whether every file gave a stiffness, and all of them together one.
     pub fn all_gave(&self) -> bool {
         self.failed.is_empty()
-            && self.pooled.reason.is_none()
+            && self.pooled.differences.is_empty()
             && self.tests.iter().all(|test| test.test.identified.is_some())
     }
 }
-
-answer_of!(DropsReport as report {
-    tests: Vec<&DropReport> = report.tests.iter().collect();
-    pooled: &PooledReport = &report.pooled;
-    /// Files that could not be read.
-    failed: Vec<&Failed> = report.failed.iter().collect();
-});
 
 /// Reads and evaluates every file; one that cannot be read does not stop the others.
 ///
@@ -168,9 +163,9 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
         &[Dimension::Acceleration],
         "10 mV/g",
     )?;
-    let (mut tests, mut failed, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut tests, mut failed, mut doubts) = (Vec::new(), Vec::new(), Vec::new());
     for path in &request.files {
-        match one(path, request, &mut warnings) {
+        match one(path, request, &mut doubts) {
             Ok(drops) => tests.extend(drops),
             Err(problem) => failed.push(Failed::new(path, problem)),
         }
@@ -178,12 +173,12 @@ pub fn drop_tests(request: &DropRequest) -> Result<DropsReport, Problems> {
     if tests.is_empty() {
         return Err(failed.into_iter().map(|one| one.problem).collect());
     }
-    let pooled = pool::pooled(&tests, request.seed, &mut warnings);
+    let pooled = pool::pooled(&tests, request.seed);
     Ok(DropsReport {
         tests,
         pooled,
         failed,
-        warnings,
+        doubts,
     })
 }
 
@@ -194,16 +189,20 @@ const SAME_STEP: f64 = 1e-6;
 fn one(
     path: &Path,
     request: &DropRequest,
-    warnings: &mut Vec<String>,
+    doubts: &mut Vec<DropsDoubt>,
 ) -> Result<Vec<DropReport>, Problem> {
     let in_file = |problem: Problem| problem.in_file(path);
     let bytes = load(path)?;
     let said = Said::of(&bytes).map_err(in_file)?;
-    warnings.extend(
-        said.replaced_by(request)
-            .iter()
-            .map(|what| format!("{}: {what}", path.display())),
-    );
+    let name = path.to_string_lossy().into_owned();
+    let mut doubt = |doubt| {
+        doubts.push(DropsDoubt {
+            path: name.clone(),
+            drop: None,
+            doubt,
+        });
+    };
+    said.replaced_by(request).for_each(&mut doubt);
     let read = ReadOptions {
         is_shock: true,
         ..request.read.clone()
@@ -215,8 +214,11 @@ fn one(
             .next()
             .unwrap_or_else(|| value("the file cannot be read"))
     })?;
-    let name = path.to_string_lossy().into_owned();
-    warnings.extend(file.notes.iter().map(|note| format!("{name}: {note}")));
+    file.notes
+        .iter()
+        .cloned()
+        .map(DropDoubt::Record)
+        .for_each(&mut doubt);
     let component = file.select(request.component.as_deref()).map_err(in_file)?;
     let dt_s = component.motion.dt_s();
     if request
@@ -224,10 +226,7 @@ fn one(
         .uneven_dt_s
         .is_some_and(|asked_s| (asked_s / dt_s - 1.0).abs() > SAME_STEP)
     {
-        warnings.push(format!(
-            "{name}: `resample` has no effect: the samples are evenly spaced already, by {} s",
-            words::number(dt_s, 4)
-        ));
+        doubt(DropDoubt::EvenlySpaced(dt_s));
     }
     let Some(mass_kg) = request.mass_kg.or(said.mass_kg) else {
         return Err(in_file(
@@ -238,10 +237,9 @@ fn one(
     let (impact_velocity, velocity_source) = impact_velocity(request, &said).map_err(in_file)?;
     match impact_velocity {
         ImpactVelocity::Known { speed_m_s, .. } => check_speed(speed_m_s).map_err(in_file)?,
-        ImpactVelocity::FromImpulse if request.velocity_error_ratio.is_some() => warnings.push(format!(
-            "{name}: `velocity_error` has no effect: neither `height` nor `impact_velocity` is given, so the impact \
-             velocity is found from the pulse"
-        )),
+        ImpactVelocity::FromImpulse if request.velocity_error_ratio.is_some() => {
+            doubt(DropDoubt::VelocityErrorUnused);
+        }
         ImpactVelocity::FromImpulse => {}
     }
     let setup = DropSetup {
@@ -261,10 +259,7 @@ fn one(
     let found = drops_of(&samples, component.motion.dt_s(), &setup)
         .map_err(|error| in_file(value(error.to_string())))?;
     if found.len() > 1 {
-        warnings.push(format!(
-            "{name}: the record has {}, each evaluated by itself",
-            counted(found.len(), "drop")
-        ));
+        doubt(DropDoubt::Several(found.len()));
     }
     // Only a sphere has a radius.
     let sphere = request.sphere_radius_m.map(|_| "sphere".to_owned());
@@ -295,12 +290,13 @@ fn one(
     let is_one_of_several = found.len() > 1;
     let reports: Vec<DropReport> = found.into_iter().enumerate().map(report).collect();
     for report in &reports {
-        notes(
-            report,
-            is_one_of_several,
-            request.thickness_m.or(said.thickness_m),
-            warnings,
-        );
+        let drop = is_one_of_several.then_some(report.drop);
+        let of_drop = doubts_of(report, request.thickness_m.or(said.thickness_m));
+        doubts.extend(of_drop.into_iter().map(|doubt| DropsDoubt {
+            path: name.clone(),
+            drop,
+            doubt,
+        }));
     }
     Ok(reports)
 }
@@ -366,9 +362,9 @@ struct Said {
 impl Said {
     fn of(bytes: &[u8]) -> Result<Self, Problem> {
         let mut said = Self::default();
-        for (key, text, line) in comments(bytes) {
+        for Comment { key, value, line } in comments(bytes) {
             let quantity = |dimension| {
-                parse_positive(&text, dimension, &key)
+                parse_positive(&value, dimension, &key)
                     .map(Some)
                     .map_err(|problem| problem.at_line(line))
             };
@@ -379,8 +375,8 @@ impl Said {
                 "corner" | "filter corner" => said.corner_hz = quantity(Dimension::Frequency)?,
                 "pad thickness" | "thickness" => said.thickness_m = quantity(Dimension::Length)?,
                 "sphere radius" => said.sphere_radius_m = quantity(Dimension::Length)?,
-                "impactor" => said.impactor = Some(text.clone()),
-                "boundary" => said.boundary = Some(text.clone()),
+                "impactor" => said.impactor = Some(value.clone()),
+                "boundary" => said.boundary = Some(value.clone()),
                 _ => {}
             }
         }
@@ -404,30 +400,20 @@ impl Said {
     }
 
     /// What the file says otherwise than the request, which counts.
-    fn replaced_by(&self, request: &DropRequest) -> Vec<String> {
+    fn replaced_by(&self, request: &DropRequest) -> impl Iterator<Item = DropDoubt> {
         let is_other = |(given, said): &(f64, f64)| (given / said - 1.0).abs() > ROUNDING;
-        let number = |key: &str, unit: &str, given: Option<f64>, said: Option<f64>| {
+        let number = |key, unit, given: Option<f64>, said: Option<f64>| {
             let (given, said) = given.zip(said).filter(is_other)?;
-            let [given, said] = [given, said].map(shortest);
-            Some(format!(
-                "the file says {key} {said} {unit}; the `{key}` that was given, {given} {unit}, is used"
-            ))
-        };
-        let text = |key: &str, given: &Option<String>, said: &Option<String>| {
-            let (given, said) = given
-                .as_ref()
-                .zip(said.as_ref())
-                .filter(|(given, said)| given != said)?;
-            Some(format!(
-                "the file says {key} {said}; the `{key}` that was given, {given}, is used"
-            ))
-        };
-        let crossed = |is_other: bool, given: &str, said: &str| {
-            is_other.then(|| {
-                format!(
-                    "the {said} in the file contradicts the `{given}` that was given, which is used"
-                )
+            Some(DropDoubt::OtherNumber {
+                key,
+                unit,
+                said,
+                given,
             })
+        };
+        let text = |key, given: &Option<String>, said: &Option<String>| {
+            let (given, said) = given.clone().zip(said.clone())?;
+            (given != said).then_some(DropDoubt::OtherWord { key, said, given })
         };
         let other_fall = |velocity: Option<f64>, height: Option<f64>| {
             velocity
@@ -435,16 +421,9 @@ impl Said {
                 .is_some_and(|(velocity_m_s, height_m)| !is_after_fall(velocity_m_s, height_m))
         };
         let all = [
-            crossed(
-                other_fall(request.impact_velocity_m_s, self.height_m),
-                "impact_velocity",
-                "drop height",
-            ),
-            crossed(
-                other_fall(self.velocity_m_s, request.height_m),
-                "height",
-                "impact velocity",
-            ),
+            other_fall(request.impact_velocity_m_s, self.height_m)
+                .then_some(DropDoubt::OtherHeight),
+            other_fall(self.velocity_m_s, request.height_m).then_some(DropDoubt::OtherVelocity),
             number("mass", "kg", request.mass_kg, self.mass_kg),
             number("height", "m", request.height_m, self.height_m),
             number(
@@ -464,7 +443,7 @@ impl Said {
             text("impactor", &request.impactor, &self.impactor),
             text("boundary", &request.boundary, &self.boundary),
         ];
-        all.into_iter().flatten().collect()
+        all.into_iter().flatten()
     }
 }
 
@@ -480,18 +459,6 @@ impl DropReport {
     /// A number of the law.
     fn of<T>(&self, value: impl Fn(&Identified) -> T) -> Option<T> {
         self.found().map(value)
-    }
-
-    /// What to do so that the drop gives a stiffness.
-    fn reason(&self) -> Option<String> {
-        if self.found().is_some() {
-            return None;
-        }
-        let remedies: Vec<&str> = self.test.flags.iter().map(|flag| flag.remedy()).collect();
-        Some(match remedies.as_slice() {
-            [] => "no law could be fitted".to_owned(),
-            some => some.join("; "),
-        })
     }
 }
 
@@ -539,7 +506,6 @@ answer_of!(DropReport as one {
     impactor: Option<String>;
     sphere_radius_m: Option<f64>;
     boundary: Option<String>;
-    reason: Option<String> = one.reason() => "no stiffness";
 });
 
 /// The estimates; without a stiffness, all are missing.
@@ -608,85 +574,44 @@ pub(super) fn numbers(found: Option<&Identified>) -> (Option<f64>, Option<f64>, 
     }
 }
 
-/// Warnings about a drop: its flags, and what else is doubtful.
-fn notes(
-    report: &DropReport,
-    is_one_of_several: bool,
-    thickness_m: Option<f64>,
-    warnings: &mut Vec<String>,
-) {
+/// What is doubtful about a drop: its flags, and what else.
+fn doubts_of(report: &DropReport, thickness_m: Option<f64>) -> Vec<DropDoubt> {
     let (test, found) = (&report.test, report.found());
-    let drop = if is_one_of_several {
-        format!(", drop {}", report.drop)
-    } else {
-        String::new()
-    };
-    let mut say = |text: String| warnings.push(format!("{}{drop}: {text}", report.path));
-    for flag in &test.flags {
-        say(format!("{}: {}", flag.name(), flag.remedy()));
-    }
-    if let Some(samples) = test.samples_per_contact
-        && samples < GOOD_SAMPLES
-        && found.is_some()
-    {
-        say(format!(
-            "{} samples per contact: 50 or more are better",
-            significant(samples, 3)
-        ));
-    }
+    let mut doubts: Vec<DropDoubt> = test.flags.iter().copied().map(DropDoubt::Flag).collect();
+    let few = test
+        .samples_per_contact
+        .filter(|samples| *samples < GOOD_SAMPLES && found.is_some());
+    doubts.extend(few.map(DropDoubt::FewSamples));
     if found.is_some_and(|found| found.stiffness.fit_n_m > *PAD_STIFFNESS_N_M.end()) {
-        say("no pad is stiffer than 1e6 N/mm: check the mass, the unit of the acceleration and the time step"
-            .to_owned());
+        doubts.push(DropDoubt::TooStiff);
     }
     let spread_ratio = found.map_or(0.0, |found| found.stiffness.spread_ratio());
     if found.is_some_and(|found| found.chosen == FittedLaw::Linear) && spread_ratio > WIDE_SPREAD {
-        say(format!(
-            "the four estimates differ by {} %, although the pulse is that of a linear pad: check mass, height and \
-             zero line",
-            significant(100.0 * spread_ratio, 2)
-        ));
+        doubts.push(DropDoubt::WideSpread(spread_ratio));
     }
-    if let Some(corner_hz) = found.and_then(|found| found.filter_corner_hz) {
-        say(format!(
-            "the pulse looks like one behind a low-pass filter of about {} Hz, and the stiffness is the one behind it: \
-             give `corner` if the instrument has one; the interval includes the stiffness without a filter",
-            significant(corner_hz, 2)
-        ));
-    }
+    let corner_hz = found.and_then(|found| found.filter_corner_hz);
+    doubts.extend(corner_hz.map(DropDoubt::Filtered));
     if found.is_some_and(|found| matches!(found.chosen, FittedLaw::Cubic | FittedLaw::Tabulated)) {
-        say(format!(
-            "the pad hardens or softens: its stiffness is F/d at {} mm, the largest compression of this drop, and \
-             holds for this compression alone; the law in the cushion file is a table up to it",
-            significant(1e3 * test.max_compression_m.unwrap_or(0.0), 3)
-        ));
+        let compression_m = test.max_compression_m.unwrap_or(0.0);
+        doubts.push(DropDoubt::Curved(compression_m));
     }
     if found.is_some_and(|found| !found.has_gravity)
         && report.velocity_source != VelocitySource::Impulse
     {
-        say(
-            "the pulse fits a contact without gravity: the zero line is not that of a free fall"
-                .to_owned(),
-        );
+        doubts.push(DropDoubt::NoGravity);
     }
     // Hertz's half space applies to round impactors only.
-    if Impactor::of(report.impactor.as_deref()) != Impactor::Sphere
-        && found.is_none_or(|found| found.exponent <= ROUND_EXPONENT)
+    if Impactor::of(report.impactor.as_deref()) == Impactor::Sphere
+        || found.is_some_and(|found| found.exponent > ROUND_EXPONENT)
     {
-        return;
+        let is_deep = |length_m: Option<f64>| {
+            let lengths = test.max_compression_m.zip(length_m);
+            lengths.is_some_and(|(d, length_m)| d > HALF_SPACE_SHARE * length_m)
+        };
+        doubts.extend(is_deep(thickness_m).then_some(DropDoubt::Thin));
+        doubts.extend(is_deep(report.sphere_radius_m).then_some(DropDoubt::SmallSphere));
     }
-    let lengths = [
-        ("its thickness", thickness_m),
-        ("the sphere's radius", report.sphere_radius_m),
-    ];
-    for (name, length_m) in lengths {
-        if let (Some(d), Some(length_m)) = (test.max_compression_m, length_m)
-            && d > HALF_SPACE_SHARE * length_m
-        {
-            say(format!(
-                "the pad is compressed by more than a quarter of {name}: Hertz's half space (n = 1.5) does not apply"
-            ));
-        }
-    }
+    doubts
 }
 
 /// The loop of a test as CSV.

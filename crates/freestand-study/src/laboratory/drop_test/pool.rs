@@ -5,8 +5,8 @@ use std::fmt::Write;
 use freestand::cushion::Cushion;
 use freestand::identify::{FittedLaw, Pooled, PooledDrop, pool_drops};
 
+use super::doubt::{Difference, PooledDoubt};
 use super::{DropReport, numbers};
-use freestand_input::words::significant;
 use freestand_output::answer_of;
 
 /// Masses that differ by more than this are those of different plates.
@@ -23,8 +23,10 @@ const ELASTIC: f64 = 0.9;
 pub struct PooledReport {
     /// The pad; `None` where the drops give none.
     pub pad: Option<PooledPad>,
-    /// Why there is none although each drop has a stiffness.
-    pub reason: Option<String>,
+    /// Why there is none although each drop has a stiffness: they are no repeats.
+    pub differences: Vec<Difference>,
+    /// What is doubtful in all drops together.
+    pub doubts: Vec<PooledDoubt>,
 }
 
 /// A pad as several drops give it; damping and restitution are means.
@@ -44,18 +46,13 @@ pub struct PooledPad {
 
 /// Pools the drops that have a stiffness and the law of most of them, if they are repeats of each
 /// other.
-pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>) -> PooledReport {
+pub(super) fn pooled(tests: &[DropReport], seed: u64) -> PooledReport {
     let given: Vec<&DropReport> = tests.iter().filter(|test| test.found().is_some()).collect();
     let differences = differences(&given);
     if !differences.is_empty() {
-        let reason = format!(
-            "the drops are not repeats: they differ in {}; evaluate each set on its own",
-            differences.join(" and ")
-        );
-        warnings.push(reason.clone());
         return PooledReport {
-            pad: None,
-            reason: Some(reason),
+            differences,
+            ..PooledReport::default()
         };
     }
     let Some(law) = most_common(&given) else {
@@ -66,37 +63,28 @@ pub(super) fn pooled(tests: &[DropReport], seed: u64, warnings: &mut Vec<String>
         .copied()
         .filter(|test| law_of(test) == Some(law))
         .collect();
+    let mut doubts = Vec::new();
     if alike.len() < given.len() {
-        let laws: Vec<&str> = given
-            .iter()
-            .filter_map(|test| law_of(test))
-            .map(FittedLaw::name)
-            .collect();
-        warnings.push(format!(
-            "the drops fit different laws ({}): only those that fit {} are pooled ({} of {}); `law` sets one for all",
-            laws.join(", "),
-            law.name(),
-            alike.len(),
-            given.len()
-        ));
+        doubts.push(PooledDoubt::OtherLaws {
+            laws: given.iter().filter_map(|test| law_of(test)).collect(),
+            law,
+            pooled: alike.len(),
+        });
     }
     if is_curve(law)
         && alike
             .iter()
             .any(|test| test.test.restitution_ratio.is_some_and(|e| e < ELASTIC))
     {
-        warnings.push("the pad is damped, and the table in its cushion file is not".to_owned());
+        doubts.push(PooledDoubt::UndampedTable);
     }
     if !is_linear(law) && are_of_other_heights(&alike) {
-        warnings.push(
-            "the drops are from different heights and the stiffness of the pad depends on the compression: the \
-             pooled stiffness is valid for no height; evaluate each height on its own"
-                .to_owned(),
-        );
+        doubts.push(PooledDoubt::OtherHeights);
     }
     PooledReport {
         pad: of_repeats(&alike, law, seed),
-        reason: None,
+        differences,
+        doubts,
     }
 }
 
@@ -181,14 +169,12 @@ answer_of!(PooledReport as pooled {
     damping_n_s_m: Option<f64> = pooled.of(|pad| pad.damping_n_s_m).flatten();
     dissipation_s_m: Option<f64> = pooled.of(|pad| pad.dissipation_s_m).flatten();
     restitution_ratio: Option<f64> = pooled.of(|pad| pad.restitution_ratio).flatten();
-    /// Why there is no pad although each drop has a stiffness.
-    reason: Option<String>;
 });
 
 /// The properties in which the drops differ too much to be repeats, with their values. A value that
 /// is not given counts as equal.
-fn differences(tests: &[&DropReport]) -> Vec<String> {
-    let words = |name: &str, of: fn(&DropReport) -> Option<&str>| {
+fn differences(tests: &[&DropReport]) -> Vec<Difference> {
+    let words = |of: fn(&DropReport) -> Option<&str>| {
         let mut said: Vec<String> = tests
             .iter()
             .filter_map(|test| of(test))
@@ -196,18 +182,17 @@ fn differences(tests: &[&DropReport]) -> Vec<String> {
             .collect();
         said.sort_unstable();
         said.dedup();
-        (said.len() > 1).then(|| format!("{name} ({})", said.join(", ")))
+        (said.len() > 1).then_some(said)
     };
-    let lengths = |name: &str, unit: &str, scale: f64, of: fn(&DropReport) -> Option<f64>| {
+    let sizes = |of: fn(&DropReport) -> Option<f64>| {
         let (least, most) = range(tests.iter().filter_map(|test| of(test)))?;
-        let [low, high] = [least, most].map(|value| significant(scale * value, 4));
-        (most > (1.0 + MASS_SHARE) * least).then(|| format!("{name} ({low} to {high} {unit})"))
+        (most > (1.0 + MASS_SHARE) * least).then_some([least, most])
     };
     [
-        words("impactor", |test| test.impactor.as_deref()),
-        lengths("sphere radius", "mm", 1e3, |test| test.sphere_radius_m),
-        words("boundary", |test| test.boundary.as_deref()),
-        lengths("mass", "kg", 1.0, |test| Some(test.mass_kg)),
+        words(|test| test.impactor.as_deref()).map(Difference::Impactor),
+        sizes(|test| test.sphere_radius_m).map(Difference::SphereRadius),
+        words(|test| test.boundary.as_deref()).map(Difference::Boundary),
+        sizes(|test| Some(test.mass_kg)).map(Difference::Mass),
     ]
     .into_iter()
     .flatten()
@@ -298,11 +283,13 @@ fn table_toml(compressions_m: &[f64], forces_n: &[f64]) -> String {
 #[cfg(test)]
 mod tests {
     use std::path::{Path, PathBuf};
+    use std::slice;
 
     use freestand::G0_M_S2;
     use freestand::cushion::{ContactLaw, Cushion};
     use freestand::identify::{FittedLaw, VirtualDropOptions};
 
+    use crate::laboratory::drop_test::doubt::{Difference, PooledDoubt};
     use crate::laboratory::drop_test::{DropRequest, DropsReport, cushion_toml, drop_tests};
     use crate::laboratory::virtual_laboratory::drop_file;
 
@@ -357,20 +344,28 @@ mod tests {
     #[test]
     #[ignore = "seconds: several drops"]
     fn drops_that_are_not_repeats_are_not_pooled() {
-        not_pooled(&[("glued", "unglued", "boundary (glued, unglued)")]);
+        not_pooled(&[("glued", "unglued", boundary())]);
     }
 
     #[test]
     #[ignore = "ten seconds: the same of every tag"]
     fn drops_that_differ_in_any_tag_are_not_pooled() {
         not_pooled(&[
-            ("glued", "unglued", "boundary (glued, unglued)"),
-            ("glued", "sphere", "impactor (flat, sphere)"),
+            ("glued", "unglued", boundary()),
+            (
+                "glued",
+                "sphere",
+                Difference::Impactor(["flat", "sphere"].map(str::to_owned).to_vec()),
+            ),
         ]);
     }
 
-    /// Two drops that are repeats, and those that differ in a tag, which a warning names.
-    fn not_pooled(different: &[(&str, &str, &str)]) {
+    fn boundary() -> Difference {
+        Difference::Boundary(["glued", "unglued"].map(str::to_owned).to_vec())
+    }
+
+    /// Two drops that are repeats, and those that differ in one tag, which is told.
+    fn not_pooled(different: &[(&str, &str, Difference)]) {
         let folder = tempfile::tempdir().unwrap();
         let pad = Cushion::linear(2.19e6).unwrap();
         let file = |name: &str, said: &str| write(folder.path(), name, &pad, 0.1, said);
@@ -380,8 +375,9 @@ mod tests {
             _ => file("sphere.csv", "# impactor: sphere\n"),
         };
         let report = of(vec![file("plain.csv", ""), tagged("glued")]);
-        assert!(report.all_gave() && count(&report) == 2 && report.pooled.reason.is_none());
-        for &(one, other, word) in different {
+        assert!(report.all_gave() && count(&report) == 2);
+        assert!(report.pooled.differences.is_empty());
+        for (one, other, difference) in different {
             let report = of(vec![tagged(one), tagged(other)]);
             assert!(report.tests.iter().all(|test| test.found().is_some()));
             assert!(
@@ -390,12 +386,7 @@ mod tests {
                 report.pooled
             );
             assert_eq!(cushion_toml(&report.pooled), None);
-            let said = report.warnings.join("; ");
-            assert!(
-                said.contains(word) && said.contains("evaluate each set on its own"),
-                "{said}"
-            );
-            assert!(!said.contains(" and "), "one tag alone differs: {said}");
+            assert_eq!(&report.pooled.differences[..], slice::from_ref(difference));
         }
     }
 
@@ -413,13 +404,8 @@ mod tests {
         for (pad, is_warned) in [(Cushion::linear(2.19e6).unwrap(), false), (hertz, true)] {
             let files = [0.05, 0.2].map(|h| write(folder.path(), &format!("{h}.csv"), &pad, h, ""));
             let report = of(files.to_vec());
-            assert_eq!(
-                report
-                    .warnings
-                    .iter()
-                    .any(|text| text.contains("different heights")),
-                is_warned
-            );
+            let is_told = report.pooled.doubts == [PooledDoubt::OtherHeights];
+            assert_eq!(is_told, is_warned, "{:?}", report.pooled.doubts);
             assert_eq!(count(&report), 2);
         }
     }
@@ -457,15 +443,17 @@ mod tests {
             of(vec![linear, curved.clone(), curved.clone()]),
             of(vec![curved.clone(), curved]),
         );
-        assert_eq!(mixed.pooled, two.pooled);
+        assert_eq!(mixed.pooled.pad, two.pooled.pad);
         assert_eq!((law(&mixed), count(&mixed)), (FittedLaw::Power, 2));
+        let other = PooledDoubt::OtherLaws {
+            laws: vec![FittedLaw::Linear, FittedLaw::Power, FittedLaw::Power],
+            law: FittedLaw::Power,
+            pooled: 2,
+        };
         assert!(
-            mixed
-                .warnings
-                .iter()
-                .any(|text| text.contains("only those that fit power are pooled (2 of 3)")),
+            mixed.pooled.doubts.contains(&other),
             "{:?}",
-            mixed.warnings
+            mixed.pooled.doubts
         );
     }
 }
