@@ -1,11 +1,25 @@
-//! What may make a history wrong and what its reader must know, as sentences.
+//! What may make a history or a study wrong and what its reader must know, as sentences.
 
+mod simulation;
+mod study;
+mod target;
+
+use freestand::impact::ValidityWarning;
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{number, significant};
 use freestand_output::answer;
 use freestand_study::doubt::{
-    BesideWall, HistoryDoubt, HistoryNote, NarrowBase, SpectrumDoubt, UnlikelySize,
+    BesideWall, HistoryDoubt, HistoryNote, NarrowBase, SpectrumDoubt, SquatObjects, UnlikelySize,
 };
+
+pub use simulation::{outside_limits, simulation_assumption};
+pub use study::{
+    assumed_at, building_doubt, fit_doubt, not_varied, period_from, study_doubt, study_doubts,
+    two_spectra,
+};
+pub(crate) use study::{dispersion, mean_off, no_result};
+pub use target::{place_doubt, target_doubt};
 
 /// What may make a history wrong.
 pub fn history_doubt(doubt: &HistoryDoubt) -> String {
@@ -105,6 +119,24 @@ pub fn unlikely_size(size: &UnlikelySize) -> String {
     )
 }
 
+/// Squat objects of a grid.
+fn squat_objects(objects: &SquatObjects) -> String {
+    let SquatObjects {
+        count,
+        objects,
+        height_m,
+        thickness_m,
+        landing_ratio,
+    } = *objects;
+    let [height, thickness] =
+        [height_m, thickness_m].map(|size_m| format_si(size_m, Dimension::Length));
+    let are = if count == 1 { "is" } else { "are" };
+    let squat = ValidityWarning::Squat { landing_ratio };
+    format!(
+        "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
+    )
+}
+
 fn beside_wall(beside: BesideWall) -> String {
     format!(
         "with {} times the stiffness of an edge and {} % of damping the outcome is {}, the largest tilt {} rad",
@@ -179,7 +211,7 @@ impl Notes {
 /// What may make rows of spectra wrong.
 pub fn spectrum_doubt(doubt: &SpectrumDoubt) -> String {
     match doubt {
-        SpectrumDoubt::Squat(objects) => objects.to_string(),
+        SpectrumDoubt::Squat(objects) => squat_objects(objects),
         SpectrumDoubt::Size(size) => unlikely_size(size),
         SpectrumDoubt::Validity(limit) => limit.to_string(),
         SpectrumDoubt::OfDeepestLanding(limit) => {

@@ -6,6 +6,7 @@ pub mod cushion;
 pub mod doubts;
 pub mod figures;
 pub mod fragility;
+pub mod ground;
 pub mod library;
 pub mod list;
 pub mod motion;

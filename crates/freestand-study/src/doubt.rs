@@ -1,11 +1,8 @@
-//! What there is to know beside the history of an object, as data; `freestand-report` has the sentences,
-//! but for that of squat objects, which the warnings of studies share.
+//! What there is to know beside the history of an object, as data: `freestand-report` has the words.
 
-use std::fmt;
 use std::ops::RangeInclusive;
 
 use freestand::impact::ValidityWarning;
-use freestand_input::quantity::{Dimension, format_si};
 use strum::EnumCount;
 
 /// A size that hardly any object has.
@@ -172,23 +169,4 @@ pub struct SquatObjects {
     pub thickness_m: f64,
     /// Housner's ratio of the first.
     pub landing_ratio: f64,
-}
-
-impl fmt::Display for SquatObjects {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            count,
-            objects,
-            landing_ratio,
-            ..
-        } = *self;
-        let [height, thickness] =
-            [self.height_m, self.thickness_m].map(|size_m| format_si(size_m, Dimension::Length));
-        let are = if count == 1 { "is" } else { "are" };
-        let squat = ValidityWarning::Squat { landing_ratio };
-        write!(
-            f,
-            "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
-        )
-    }
 }

@@ -36,10 +36,12 @@ use freestand_inventory::library::{CushionEntry, ToleranceEntry};
 use freestand_output::answer::{Answer, Described as _, object};
 use freestand_report::assessment::{JobReport, PlanReport, row_schema};
 use freestand_report::fragility::{FragilityAnswer, RunsAnswer};
+use freestand_report::ground::SimulatedAnswer;
 use freestand_report::object::ObjectReport;
 use freestand_report::restraint::{RestrainListReport, RestrainReport};
 use freestand_report::risk::RiskAnswer;
-use freestand_study::check::Check;
+use freestand_report::study::check::Check;
+use freestand_report::study::summary::{self, RunAnswer};
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
 use freestand_study::laboratory::cushion_curve::CurveReport;
@@ -49,9 +51,7 @@ use freestand_study::laboratory::virtual_laboratory::{RecoveryReport, SimulatedT
 use freestand_study::matched::FitReport;
 use freestand_study::shock::ShockAnswer;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
-use freestand_study::simulated::SimulatedReport;
 use freestand_study::spectrum::SpectrumRow;
-use freestand_study::summary::{self, RunAnswer};
 use freestand_study::target::CodeSpectrumReport;
 use freestand_study::validate::Validation;
 use schemars::JsonSchema;
@@ -249,7 +249,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "motion-simulate.response.json",
-            of_answer::<SimulatedReport<'_>>("motion simulate", simulate::SCHEMA),
+            of_answer::<SimulatedAnswer<'_>>("motion simulate", simulate::SCHEMA),
         ),
         (
             "code-spectrum.request.json",

@@ -3,6 +3,7 @@
 
 use clap::Args;
 use freestand_app::code_spectrum::{CodeSpectrum, Meant, SCHEMA};
+use freestand_report::doubts::target_doubt;
 use freestand_report::figures::code_spectrum_figure;
 use freestand_report::motion::code_spectrum_text;
 
@@ -35,8 +36,9 @@ impl Tell for CodeSpectrum {
         let files = Files::with_tables(global, &meant.inputs, tables, SCHEMA, None)?;
         files.table("spectrum", || report.table())?;
         files.figure("spectrum", || code_spectrum_figure(&report))?;
-        let warnings = &meant.target.warnings;
-        files.print(printer, SCHEMA, &report, warnings, || {
+        let doubts = meant.target.doubts.iter();
+        let warnings: Vec<String> = doubts.map(target_doubt).collect();
+        files.print(printer, SCHEMA, &report, &warnings, || {
             code_spectrum_text(&report)
         })?;
         Ok(Done::OK)
