@@ -15,7 +15,8 @@ use freestand_app::synth::{SCHEMA as SYNTH, Synth};
 use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::validate::validate as validated;
 use freestand_records::notes::grouped;
-use freestand_report::doubts::{building_doubt, fit_doubt, target_doubt};
+use freestand_report::doubts::{building_doubt, fit_doubt, motion_doubts, target_doubt};
+use freestand_report::target::{CodeSpectrumAnswer, FitAnswer};
 use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::static_tests;
@@ -89,7 +90,7 @@ pub(crate) fn shock_spectrum(
         meant.spectra(go_on)
     })?
     .map_err(raised)?;
-    told(SHOCK_SPECTRUM, &report, &report.warnings)
+    told(SHOCK_SPECTRUM, &report, &motion_doubts(&report.doubts))
 }
 
 /// The spectrum of a code.
@@ -100,7 +101,7 @@ pub(crate) fn code_spectrum(periods_s: &[u8], values: &Bound<'_, PyDict>) -> PyR
     let meant = request.resolve(&Files::Disk).map_err(raised_all)?;
     let report = meant.report().map_err(raised_all)?;
     let doubts: Vec<String> = meant.target.doubts.iter().map(target_doubt).collect();
-    told(CODE_SPECTRUM, &report, &doubts)
+    told(CODE_SPECTRUM, &CodeSpectrumAnswer(&report), &doubts)
 }
 
 /// Motions that fit a target: the document, and the motions.
@@ -114,7 +115,7 @@ pub(crate) fn synth(
     let request = meant.map_err(raised_all)?.asked;
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
     let doubts: Vec<String> = report.doubts().iter().map(fit_doubt).collect();
-    let text = told(SYNTH, &report, &doubts)?;
+    let text = told(SYNTH, &FitAnswer(&report), &doubts)?;
     let motions = report
         .motions
         .into_iter()

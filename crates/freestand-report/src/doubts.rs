@@ -9,8 +9,10 @@ use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{number, significant};
 use freestand_output::answer;
+use freestand_records::processing::few_steps;
 use freestand_study::doubt::{
-    BesideWall, HistoryDoubt, HistoryNote, NarrowBase, SpectrumDoubt, SquatObjects, UnlikelySize,
+    BesideWall, HistoryDoubt, HistoryNote, MotionDoubt, NarrowBase, SpectrumDoubt, SquatObjects,
+    UnlikelySize,
 };
 
 pub use simulation::{outside_limits, simulation_assumption};
@@ -135,6 +137,47 @@ fn squat_objects(objects: &SquatObjects) -> String {
     format!(
         "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
     )
+}
+
+/// What may make what is calculated from motions wrong.
+pub fn motion_doubt(doubt: &MotionDoubt) -> String {
+    match doubt {
+        MotionDoubt::OfRecords(words) => words.clone(),
+        MotionDoubt::OtherDirection {
+            component,
+            stated_deg,
+            used_deg,
+        } => format!(
+            "{component}: the file states {}°, and the given {}° is used",
+            number(*stated_deg, 6),
+            number(*used_deg, 6)
+        ),
+        MotionDoubt::FewSteps {
+            shortest_s,
+            dt_s,
+            upsample,
+            needed,
+        } => {
+            let given = match upsample {
+                0 | 1 => String::new(),
+                parts => format!(", in {parts} parts each"),
+            };
+            format!(
+                "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
+                 {needed}` would give it ten",
+                few_steps("the shortest period", *shortest_s, *dt_s)
+            )
+        }
+        MotionDoubt::LongPulse => {
+            "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low"
+                .to_owned()
+        }
+    }
+}
+
+/// The same of all, as they are told.
+pub fn motion_doubts(doubts: &[MotionDoubt]) -> Vec<String> {
+    doubts.iter().map(motion_doubt).collect()
 }
 
 fn beside_wall(beside: BesideWall) -> String {

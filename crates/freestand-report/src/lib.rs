@@ -23,4 +23,5 @@ pub mod signature;
 pub mod spectrum;
 pub mod study;
 pub mod table;
+pub mod target;
 pub mod validation;

@@ -156,6 +156,35 @@ pub enum SpectrumDoubt {
     },
 }
 
+/// Something that may make what is calculated from motions wrong.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum MotionDoubt {
+    /// What was noted of records, in the words of their readers.
+    OfRecords(String),
+    /// A component points in another direction than its file states.
+    OtherDirection {
+        /// The component.
+        component: String,
+        /// As the file states \[degrees\].
+        stated_deg: f64,
+        /// As it is used \[degrees\].
+        used_deg: f64,
+    },
+    /// The shortest period has few steps.
+    FewSteps {
+        /// The period \[s\].
+        shortest_s: f64,
+        /// The step of the record \[s\].
+        dt_s: f64,
+        /// In how many parts each is divided.
+        upsample: usize,
+        /// In how many it should be.
+        needed: f64,
+    },
+    /// The pulse is so long that the fastest oscillators have few samples in a period.
+    LongPulse,
+}
+
 /// Squat objects of a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SquatObjects {

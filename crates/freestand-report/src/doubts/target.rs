@@ -7,7 +7,11 @@ use freestand_study::target::TargetDoubt;
 /// What the reader of a spectrum must know.
 pub fn target_doubt(doubt: &TargetDoubt) -> String {
     match doubt {
-        TargetDoubt::OfCode(words) => (*words).to_owned(),
+        TargetDoubt::EditionUnread => {
+            "AS 1170.4:2024 was not available: its spectral shape is reported to be that of 2007, and the tables of 2007 \
+             with Amendment 2 (Z, kp, smallest kpZ) are used"
+                .to_owned()
+        }
         TargetDoubt::Place(doubt) => place_doubt(doubt),
         TargetDoubt::Derived { place, derived } => format!(
             "the hazard of {place} at {} years is derived, not read: {}, for screening only; the synthetic motions of \

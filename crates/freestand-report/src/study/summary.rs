@@ -20,12 +20,13 @@ use freestand_study::study::{
 };
 use freestand_study::suite::Suite;
 use freestand_study::summary::{LevelSummary, accuracy_words};
-use freestand_study::target::{HazardOf, NamedFact, Target};
+use freestand_study::target::Target;
 use serde_json::{Value as Json, json};
 
 use super::sensitivity::Varied;
 use crate::doubts::period_from;
 use crate::ground::{Parameters, assumptions, vertical_motion};
+use crate::target::{HazardOf, NamedFact, named_facts};
 
 /// Name and version of the document.
 pub const SCHEMA: &str = "freestand.run/1";
@@ -231,7 +232,7 @@ answer_of!(
     city: Option<String> = of.0.target.place_name();
     place: Option<&Place> = of.0.target.place.as_ref();
     hazard: HazardOf<'_> = HazardOf(Some(&of.0.target)) => flat;
-    facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
+    facts: Vec<NamedFact<'_>> = named_facts(&of.0.target);
     spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
     count: usize;
     seed: u64;
@@ -292,7 +293,7 @@ answer_of!(
     struct MatchedInputs<'s>(&'s Matched) as of {
     method: &'static str = of.0.method.name();
     target: String = of.0.target.one_line();
-    facts: Vec<NamedFact<'_>> = of.0.target.named_facts();
+    facts: Vec<NamedFact<'_>> = named_facts(&of.0.target);
     spectrum_file: Option<Input> = of.0.target.file.as_ref().map(Input::from);
     /// Of the accelerations before and after.
     correlation_ratio: f64 = of.0.resemblance.correlation_ratio;

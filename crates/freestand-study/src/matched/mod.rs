@@ -2,8 +2,8 @@
 
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    GENERATOR, MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions,
-    match_by_wavelets, match_motion, synthesize, with_pga,
+    MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, match_by_wavelets,
+    match_motion, synthesize, with_pga,
 };
 use rayon::prelude::*;
 
@@ -117,7 +117,8 @@ pub struct FitReport {
     pub target: Target,
     /// Seed of synthetic motions.
     pub seed: Option<u64>,
-    method: MatchMethod,
+    /// How their spectra are matched.
+    pub method: MatchMethod,
     /// The motions.
     pub motions: Vec<FittedMotion>,
 }
@@ -301,16 +302,6 @@ impl FittedMotion {
         })
     }
 }
-
-answer_of!(FitReport as report {
-    target: &Target = &report.target => flat;
-    /// Of synthetic motions.
-    seed: Option<u64>;
-    /// Of the random numbers.
-    generator: Option<&'static str> = report.seed.map(|_| GENERATOR);
-    method: &'static str = report.method.name();
-    motions: Vec<&FittedMotion> = report.motions.iter().collect();
-});
 
 answer_of!(FittedMotion as one {
     name: String;

@@ -84,8 +84,10 @@ pub(super) fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Ta
         format!("{}, elastic, 5 % damping", spectrum.name()),
     )];
     all.extend(facts);
-    let doubt = spectrum.doubt();
-    all.extend(doubt.map(|doubt| fact("Not confirmed", doubt)));
+    let is_unread = matches!(
+        &spectrum,
+        CodeSpectrum::As1170_4(code) if code.edition() == Edition::As1170_4Ed2024Unconfirmed
+    );
     Target {
         spectrum,
         place: None,
@@ -95,7 +97,7 @@ pub(super) fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Ta
         parts_edition: None,
         file: None,
         table_csv: None,
-        doubts: doubt.map(TargetDoubt::OfCode).into_iter().collect(),
+        doubts: Vec::from_iter(is_unread.then_some(TargetDoubt::EditionUnread)),
         period_doubts: Vec::new(),
     }
 }

@@ -9,8 +9,8 @@ use crate::places::{Coordinates, Derived, PlaceDoubt};
 /// Something that the reader of a spectrum must know.
 #[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum TargetDoubt {
-    /// A caveat of its code.
-    OfCode(&'static str),
+    /// The edition of its code was not read.
+    EditionUnread,
     /// About the values of its place.
     Place(PlaceDoubt),
     /// The values of the place were converted from another return period.

@@ -36,7 +36,6 @@ use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
-use freestand_output::answer_of;
 
 /// A spectrum, with everything that outputs state about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -164,7 +163,7 @@ impl Target {
     }
 
     /// The spectrum by AS 1170.4, if it is one.
-    fn as1170_4(&self) -> Option<&As1170_4> {
+    pub fn as1170_4(&self) -> Option<&As1170_4> {
         if let CodeSpectrum::As1170_4(code) = &self.spectrum {
             Some(code)
         } else {
@@ -206,19 +205,6 @@ impl Target {
     /// The type of the other spectrum of the national annex, where that has two.
     pub fn other_type(&self) -> Option<u8> {
         spectrum_type(self.alternative.as_ref()?)
-    }
-
-    /// The facts for reports, each as a name and a value.
-    pub fn fact_rows(&self) -> Vec<(&str, String)> {
-        self.facts
-            .iter()
-            .map(|(name, value)| (name.as_str(), value.clone()))
-            .collect()
-    }
-
-    /// Its facts, as documents have them.
-    pub fn named_facts(&self) -> Vec<NamedFact<'_>> {
-        self.facts.iter().map(NamedFact).collect()
     }
 
     /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ =
@@ -398,36 +384,6 @@ fn spectrum_type(spectrum: &CodeSpectrum) -> Option<u8> {
         _ => None,
     }
 }
-
-answer_of!(Target as target {
-    code: &'static str = target.spectrum.name();
-    /// The class of the site.
-    site: Option<&'static str> = target.spectrum.site_name();
-    /// The place whose hazard was used.
-    place: Option<&Place> = target.place.as_ref();
-    hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
-    /// Whether the minimum of kpZ governs, by AS 1170.4.
-    minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);
-    /// Its description and the sources of its numbers.
-    facts: Vec<NamedFact<'_>> = target.named_facts();
-});
-
-answer_of!(
-    /// The hazard of a target; without one, its values are null.
-    pub struct HazardOf<'t>(pub Option<&'t Target>) as of {
-    /// Z.
-    hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
-    return_period_years: Option<u64> =
-        of.0.and_then(Target::return_period_years).map(u64::from);
-    kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
-});
-
-answer_of!(
-    /// A name and a value.
-    pub struct NamedFact<'t>(&'t (String, String)) as fact {
-    name: String = fact.0.0.clone();
-    value: String = fact.0.1.clone();
-});
 
 #[cfg(test)]
 mod tests;

@@ -157,13 +157,10 @@ fn every_code_by_its_words() {
 }
 
 #[test]
-fn what_is_not_confirmed_is_a_fact_and_a_doubt() {
+fn what_is_not_confirmed_is_a_doubt() {
     let new = target(&[("edition", "2024")]);
     assert!(new.one_line().starts_with("AS 1170.4:2024 (not confirmed)"));
-    assert!(
-        matches!(new.doubts[0], TargetDoubt::OfCode(_))
-            && new.facts.iter().any(|(name, _)| name == "Not confirmed")
-    );
+    assert_eq!(new.doubts[0], TargetDoubt::EditionUnread);
     let hobart = target(&[("city", "hobart")]);
     assert_eq!(hobart.place_name().as_deref(), Some("Hobart"));
     let least = TargetDoubt::MinimumGoverns {

@@ -6,6 +6,7 @@ use freestand_app::code_spectrum::{CodeSpectrum, Meant, SCHEMA};
 use freestand_report::doubts::target_doubt;
 use freestand_report::figures::code_spectrum_figure;
 use freestand_report::motion::code_spectrum_text;
+use freestand_report::target::CodeSpectrumAnswer;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
@@ -38,9 +39,13 @@ impl Tell for CodeSpectrum {
         files.figure("spectrum", || code_spectrum_figure(&report))?;
         let doubts = meant.target.doubts.iter();
         let warnings: Vec<String> = doubts.map(target_doubt).collect();
-        files.print(printer, SCHEMA, &report, &warnings, || {
-            code_spectrum_text(&report)
-        })?;
+        files.print(
+            printer,
+            SCHEMA,
+            &CodeSpectrumAnswer(&report),
+            &warnings,
+            || code_spectrum_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

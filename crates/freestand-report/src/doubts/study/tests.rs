@@ -55,7 +55,7 @@ fn targets() -> Vec<TargetDoubt> {
         },
     ]);
     let mut doubts = vec![
-        TargetDoubt::OfCode("a caveat of the code"),
+        TargetDoubt::EditionUnread,
         TargetDoubt::Derived {
             place: "Athens".to_owned(),
             derived: Derived {

@@ -21,6 +21,7 @@ use super::super::summary::restitution_words;
 use super::{headings, or_dash};
 use crate::doubts::{dispersion, mean_off, period_from};
 use crate::ground;
+use crate::target::facts as facts_of;
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
 
 /// Ground, building and objects.
@@ -31,7 +32,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
-                html += &properties("", &target.fact_rows());
+                html += &properties("", &facts_of(target));
             }
             html += &study
                 .ground
@@ -89,7 +90,7 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
     let target = &synthetic.target;
-    let mut facts = target.fact_rows();
+    let mut facts = facts_of(target);
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
     properties("", &facts) + &misfits(target, result)
@@ -220,7 +221,7 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
 fn suite_selected(suite: &Suite) -> String {
-    let mut facts = suite.target.fact_rows();
+    let mut facts = facts_of(&suite.target);
     let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
         (
