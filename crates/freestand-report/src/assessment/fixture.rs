@@ -13,9 +13,9 @@ use freestand_assess::capacity::Capacity;
 use freestand_assess::reason::{Missing, Note, Reason};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
-    Comparison, Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads,
-    OnRigidBase, PadOutcome, Probability, RestraintForce, RestraintKind, Rolled, Shares, Shock,
-    ShockAnswer, Sliding, SlidingVerdict, Softening,
+    Comparison, Criterion, Decision, FallsAnswer, FloorFacts, MeasureFirst, ModelAnswers,
+    ObjectModel, OnPads, OnRigidBase, PadOutcome, Probability, RestraintForce, RestraintKind,
+    Rolled, Shares, Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
@@ -359,7 +359,11 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         }),
         shares: (index % 4 == 3).then(|| Shares {
             by_group: Cause::ALL.map(|cause| (cause, Some(0.3))).to_vec(),
-            measure_first: Some((Cause::Pad, 0.04, 0.31)),
+            measure_first: Some(MeasureFirst {
+                cause: Cause::Pad,
+                low_ratio: 0.04,
+                high_ratio: 0.31,
+            }),
         }),
         per_year: None,
         sliding: Some(Sliding {
