@@ -50,8 +50,8 @@ impl Seen<'_, '_> {
         let (horizontal, vertical) = self.with_state(share, |y, turn| {
             let of = |rates: &State| self.body.acceleration_of((right, up), y, rates, turn);
             match share {
-                0.0 => of(&self.step.start_rates),
-                1.0 => of(&self.step.end_rates),
+                0.0 => of(self.step.start_rates()),
+                1.0 => of(self.step.end_rates()),
                 _ => of(&self
                     .body
                     .rates(self.grips, self.line, self.time_s(share), y)),

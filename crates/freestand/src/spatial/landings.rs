@@ -66,8 +66,8 @@ impl Landings {
                     - world.pressing(element, &world.foot(element, poses), poses, rates)
             };
             let end_s = step.start_s + step.length_s;
-            let before = up_of(step.start_s, &ends[0], &step.start_rates);
-            let now = up_of(end_s, &ends[1], &step.end_rates);
+            let before = up_of(step.start_s, &ends[0], step.start_rates());
+            let now = up_of(end_s, &ends[1], step.end_rates());
             let up = |share: f64| match share {
                 0.0 => before,
                 1.0 => now,
