@@ -6,9 +6,9 @@ use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
 use crate::search::bisect;
 
-/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
-/// vibration on the cushions.
-const HEADROOM: f64 = 0.8;
+/// The ends of a step reach at least this share of a maximum inside it: steps are short compared with the vibration on
+/// the cushions.
+pub(crate) const HEADROOM: f64 = 0.7;
 /// Contacts that carry less than this share of the weight are ignored for friction.
 const CARRYING_RATIO: f64 = 0.1;
 

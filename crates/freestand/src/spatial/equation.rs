@@ -200,15 +200,12 @@ impl<'a> World<'a> {
     }
 
     pub(super) fn poses(&self, y: &State) -> Poses {
-        let mut poses = [Pose::STILL; MAX_BODIES];
-        for (pose, y) in poses
-            .iter_mut()
-            .zip(y.chunks_exact(BODY))
-            .take(self.bodies.len())
-        {
-            *pose = Pose::at(y);
-        }
-        poses
+        let upper = if self.bodies.len() == MAX_BODIES {
+            Pose::at(&y[BODY..])
+        } else {
+            Pose::STILL
+        };
+        [Pose::at(y), upper]
     }
 
     pub(super) fn foot(&self, element: &Element, poses: &Poses) -> Foot {

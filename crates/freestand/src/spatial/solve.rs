@@ -24,8 +24,10 @@ const SHARE: f64 = 0.5;
 const NEAR: f64 = 2.0;
 const PAST: f64 = 10.0;
 
-/// Longest step, as an angle of the vibration on the cushions.
-const LONGEST_RAD: f64 = 0.5;
+/// Longest step, as an angle of the vibration on the cushions; beside a wall, whose force is read at the ends of
+/// steps, shorter ones.
+const LONGEST_RAD: f64 = 1.0;
+const LONGEST_AT_WALL_RAD: f64 = 0.5;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -117,6 +119,15 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let rest_j = rest_j
             .map(|element| 0.5 * element.weight_n * element.unit_m)
             .fold(0.0, f64::max);
+        let is_at_wall = world
+            .elements
+            .iter()
+            .any(|element| element.role == Role::Wall);
+        let longest_rad = if is_at_wall {
+            LONGEST_AT_WALL_RAD
+        } else {
+            LONGEST_RAD
+        };
         let mut solver = Self {
             world,
             lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
@@ -131,7 +142,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             time_s: 0.0,
             try_s: 0.1 * unit_s,
             unit_s,
-            longest_s: LONGEST_RAD * unit_s,
+            longest_s: longest_rad * unit_s,
             sizes: sizes(world, unit_s),
             tolerance: SHARE * options.accuracy.tolerance(),
             is_resting: true,
@@ -223,27 +234,26 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn accept(
         &mut self,
         line: &Line,
-        step: &Step<LEN>,
+        step: &mut Step<LEN>,
         has_event: bool,
     ) -> Result<(), CompliantError> {
         self.effort.steps += 1;
-        let ends = [self.poses, self.world.poses(&step.end)];
+        for body in 0..self.world.bodies.len() {
+            let turn = &mut step.end[BODY * body + TURN..BODY * body + SPIN];
+            let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
+            turn.iter_mut().for_each(|part| *part /= length);
+        }
+        let poses = self.world.poses(&step.end);
         let seen = Seen {
             world: self.world,
             grips: &self.grips,
             step,
-            ends: &ends,
+            ends: [&self.poses, &poses],
         };
         self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
         (self.y, self.rates) = (step.end, *step.end_rates());
         self.time_s = step.start_s + step.length_s;
-        for body in 0..self.world.bodies.len() {
-            let turn = &mut self.y[BODY * body + TURN..BODY * body + SPIN];
-            let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
-            turn.iter_mut().for_each(|part| *part /= length);
-        }
-        let poses = self.world.poses(&self.y);
         self.poses = poses;
         if !poses[0].place[2].is_finite() {
             return Err(CompliantError::NotFinite {

@@ -7,7 +7,8 @@ use super::element::Role;
 use super::equation::{Line, Poses, State, World};
 use super::landings::Landings;
 use super::pose::{BODY, Pose, TURN};
-use super::seen::{HEADROOM, Pattern, Seen, tilts};
+use super::seen::{Pattern, Seen, tilts};
+use crate::compliant::HEADROOM;
 use crate::rocking::Outcome;
 use crate::search::bisect;
 
@@ -66,9 +67,12 @@ pub(super) fn yaw(turn: &[f64]) -> f64 {
 
 #[derive(Debug, Clone, Copy, Default)]
 struct Peaks {
+    /// Of the largest tilt: sin², the tilt and its time.
+    square: f64,
     tilt: (f64, f64),
-    /// Signed.
+    /// `tilt_x` and `tilt_y`, signed, and the size of their tangents.
     tilts: [f64; 2],
+    tangents: [f64; 2],
     slide: f64,
     uplift: f64,
     first_uplift: Option<f64>,
@@ -103,7 +107,9 @@ impl Track {
         let mut peaks = vec![Peaks::default(); world.bodies.len()];
         let poses = world.poses(start);
         for (body, peaks) in peaks.iter_mut().enumerate() {
-            peaks.tilts = tilts(&poses[body].axis().0);
+            let axis = poses[body].axis().0;
+            peaks.tilts = tilts(&axis);
+            peaks.tangents = [0, 1].map(|side| (axis[side] / axis[2].max(0.0)).abs());
         }
         Self {
             peaks,
@@ -152,28 +158,22 @@ impl Track {
                 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]),
             )
         };
-        if let Some((share, _)) = seen.crest(peaks.tilt.0.sin().powi(2), square) {
+        if let Some((share, most)) = seen.crest(peaks.square, square) {
             let [x, y, z] = axis_at(share);
+            peaks.square = most;
             peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
         }
         for side in 0..2 {
-            // An angle is less than its tangent: far below the largest tilt so far no angle is needed.
-            let is_small = |poses: &Poses| {
-                let [row, up] = [side, 2].map(|axis| poses[body].shift[axis][2]);
-                row.abs() < HEADROOM * peaks.tilts[side].abs() * (1.0 + up)
-            };
-            if seen.ends.iter().all(is_small) {
-                continue;
-            }
+            // The tangent rises with the angle, and needs no function.
             let size = |poses: &Poses| {
                 let (axis, rate) = axis(poses);
-                let tilt = tilts(&axis)[side];
-                (
-                    tilt.abs(),
-                    tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]),
-                )
+                let up = axis[2].max(0.0);
+                let tangent = axis[side] / up;
+                let rise = (rate[side] * axis[2] - axis[side] * rate[2]) / (up * up);
+                (tangent.abs(), tangent.signum() * rise)
             };
-            if let Some((share, _)) = seen.crest(peaks.tilts[side].abs(), size) {
+            if let Some((share, most)) = seen.crest(peaks.tangents[side], size) {
+                peaks.tangents[side] = most;
                 peaks.tilts[side] = tilts(&axis_at(share))[side];
             }
         }
@@ -198,7 +198,7 @@ impl Track {
                 Role::Wall => continue,
             };
             let peaks = &mut self.peaks[body];
-            let [from, to] = [0, 1].map(|end| -seen.world.compression(element, &seen.ends[end]));
+            let [from, to] = [0, 1].map(|end| -seen.world.compression(element, seen.ends[end]));
             if from.max(to) <= HEADROOM * peaks.uplift {
                 continue;
             }
@@ -224,7 +224,7 @@ impl Track {
     /// The force of the walls at the end of a step: steps are short compared with the vibration on
     /// the cushions.
     fn walls(&mut self, seen: &Seen<'_, '_>) {
-        let poses = &seen.ends[1];
+        let poses = seen.ends[1];
         let pressed = seen.world.elements.iter().zip(seen.grips.each());
         let pressed =
             pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
