@@ -122,24 +122,23 @@ impl<'a> Feet<'a> {
                 flat.at * stuck.y + (flat.x * stuck.xy + flat.y * stuck.yy) + k_t * anchor[2];
             (force, [by_x, by_y, self.z * force])
         };
-        let anchors = [0, 1].map(|axis| {
+        let anchors = |axis: usize| {
             [
                 stuck.anchor[axis],
                 stuck.x_anchor[axis],
                 stuck.y_anchor[axis],
             ]
-        });
-        let sums = [
-            of(pulled(0, k_t), anchors[0]),
-            of(pulled(1, k_t), anchors[1]),
-            of(up, [0.0; 3]),
-        ];
+        };
+        let (right, by_right) = of(pulled(0, k_t), anchors(0));
+        let (back, by_back) = of(pulled(1, k_t), anchors(1));
+        let (up, by_up) = of(up, [0.0; 3]);
         // Σ f (Qp)ᵀ.
-        let [x, y, z] = sums.map(|(_, by_place)| turned(&pose.shift, &by_place));
+        let turned = |by_place: Vector| turned(&pose.shift, &by_place);
+        let (x, y, z) = (turned(by_right), turned(by_back), turned(by_up));
         let Flat { at, x: rx, y: ry } = rising;
         let squares = (rx * rx * stuck.xx + ry * ry * stuck.yy) + 2.0 * rx * ry * stuck.xy;
         Push {
-            force: sums.map(|(force, _)| force),
+            force: [right, back, up],
             torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
             dissipated_w: c
                 * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),

@@ -33,6 +33,7 @@ impl Pose {
         omega: [0.0; 3],
     };
 
+    #[inline]
     pub(super) fn at(y: &[f64]) -> Self {
         let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
         let shift = shift(&turn);
@@ -46,6 +47,7 @@ impl Pose {
     }
 
     /// Displacement and velocity of a point of the body.
+    #[inline]
     pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
         let by_turn = moved(&self.shift, from_cg);
         let arm = sum(from_cg, &by_turn);
@@ -56,6 +58,7 @@ impl Pose {
     }
 
     /// The axis of the body that is vertical at rest, and its rate.
+    #[inline]
     pub(super) fn axis(&self) -> (Vector, Vector) {
         let [x, y, z] = self.shift;
         let axis = [x[2], y[2], 1.0 + z[2]];
@@ -63,6 +66,7 @@ impl Pose {
     }
 
     /// The vertical part of that axis.
+    #[inline]
     pub(super) fn upright(&self) -> f64 {
         1.0 + self.shift[2][2]
     }
@@ -77,11 +81,13 @@ pub(super) struct Flat {
 }
 
 impl Flat {
+    #[inline]
     pub(super) fn of(self, [x, y]: [f64; 2]) -> f64 {
         // In this order nothing changes if x and y are swapped.
         self.at + (self.x * x + self.y * y)
     }
 
+    #[inline]
     pub(super) fn times(self, factor: f64) -> Self {
         Self {
             at: factor * self.at,
@@ -90,6 +96,7 @@ impl Flat {
         }
     }
 
+    #[inline]
     pub(super) fn plus(self, other: Self) -> Self {
         Self {
             at: self.at + other.at,
@@ -101,6 +108,7 @@ impl Flat {
 
 impl Pose {
     /// Displacement of the points at the height `z` from the centre of gravity, along an axis of the floor.
+    #[inline]
     pub(super) fn displacement(&self, z: f64, axis: usize) -> Flat {
         let row = &self.shift[axis];
         Flat {
@@ -111,6 +119,7 @@ impl Pose {
     }
 
     /// Upward velocity of these points: v + ω × Qp.
+    #[inline]
     pub(super) fn rising(&self, z: f64) -> Flat {
         let [[_, xy, xz], [yx, _, yz], _] = self.shift;
         let (xx, yy) = (1.0 + self.shift[0][0], 1.0 + self.shift[1][1]);
@@ -124,9 +133,11 @@ impl Pose {
 
     /// Upward acceleration of these points, relative to the base: v̇ + ω̇ × Qp + ω × (ω × Qp), with the rates of the
     /// state of the body.
+    #[inline]
     pub(super) fn lifting(&self, z: f64, rates: &[f64]) -> Flat {
         let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.shift;
-        let [xx, yy, zz] = [0, 1, 2].map(|axis| 1.0 + self.shift[axis][axis]);
+        let (xx, yy) = (1.0 + self.shift[0][0], 1.0 + self.shift[1][1]);
+        let zz = 1.0 + self.shift[2][2];
         let omega = &self.omega;
         let [a, b, _] = turned(&self.shift, &vector(rates, SPIN));
         let square = dot(omega, omega);
@@ -141,6 +152,7 @@ impl Pose {
     }
 }
 
+#[inline]
 pub(super) fn vector(y: &[f64], at: usize) -> Vector {
     [y[at], y[at + 1], y[at + 2]]
 }
