@@ -110,7 +110,7 @@ impl Landings {
             pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now).max(inner_m_s2);
             if before > 0.0 && now <= 0.0 {
                 let share = before / (before - now);
-                let pose = &world.poses(&seen.state(share))[0];
+                let pose = &seen.poses(share)[0];
                 let rate_m_s = -pose.rising(z).of(point);
                 self.leave(index, step.start_s + share * step.length_s, rate_m_s);
             }

@@ -41,7 +41,7 @@ impl Seen<'_, '_> {
                 .zip(self.grips.each())
                 .any(|(element, grip)| element.role == role && !grip.carries())
         };
-        let middle = self.world.poses(&self.state(0.5));
+        let middle = self.poses(0.5);
         let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
         match (is_open(Role::Base), is_open(Role::Interface)) {
             (false, false) => Pattern::Rest,
@@ -63,6 +63,16 @@ impl Seen<'_, '_> {
             self.step.end
         } else {
             self.step.state(share)
+        }
+    }
+
+    pub(super) fn poses(&self, share: f64) -> Poses {
+        if share == 0.0 {
+            *self.ends[0]
+        } else if share == 1.0 {
+            *self.ends[1]
+        } else {
+            self.world.poses(&self.step.state(share))
         }
     }
 
@@ -96,7 +106,7 @@ impl Seen<'_, '_> {
             (1.0, to.0)
         };
         if from.1 > 0.0 && to.1 <= 0.0 && !(self.top([from, to]) < NEAR_TOP * best) {
-            let inside = |share: f64| of(&self.world.poses(&self.step.state(share)));
+            let inside = |share: f64| of(&self.poses(share));
             let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
             let top = inside(share).0;
             if top > most.1 {

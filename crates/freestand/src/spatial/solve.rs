@@ -24,10 +24,8 @@ const SHARE: f64 = 0.5;
 const NEAR: f64 = 2.0;
 const PAST: f64 = 10.0;
 
-/// Longest step, as an angle of the vibration on the cushions; beside a wall, whose force is read at the ends of
-/// steps, shorter ones.
+/// Longest step, as an angle of the vibration on the cushions.
 const LONGEST_RAD: f64 = 1.0;
-const LONGEST_AT_WALL_RAD: f64 = 0.5;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -119,15 +117,6 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let rest_j = rest_j
             .map(|element| 0.5 * element.weight_n * element.unit_m)
             .fold(0.0, f64::max);
-        let is_at_wall = world
-            .elements
-            .iter()
-            .any(|element| element.role == Role::Wall);
-        let longest_rad = if is_at_wall {
-            LONGEST_AT_WALL_RAD
-        } else {
-            LONGEST_RAD
-        };
         let mut solver = Self {
             world,
             lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
@@ -142,7 +131,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             time_s: 0.0,
             try_s: 0.1 * unit_s,
             unit_s,
-            longest_s: longest_rad * unit_s,
+            longest_s: LONGEST_RAD * unit_s,
             sizes: sizes(world, unit_s),
             tolerance: SHARE * options.accuracy.tolerance(),
             is_resting: true,
