@@ -8,6 +8,7 @@ use freestand_input::problem::Problems;
 use freestand_input::quantity::{Dimension, parse_grid};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_report::doubts::target_doubt;
 use freestand_study::building::{self, BuildingInput};
 use freestand_study::floor::{DEFAULT_LEVELS, FloorRequest, SpectraRequest, every_floor};
 use freestand_study::recorded::{MotionFiles, ReadMotion, Second, Upward};
@@ -141,8 +142,9 @@ impl Question for Floor {
             floors: judged.floors,
             warnings: judged
                 .target
-                .map(|target| target.warnings)
-                .unwrap_or_default(),
+                .iter()
+                .flat_map(|target| target.doubts.iter().map(target_doubt))
+                .collect(),
             inputs: judged.inputs,
         })
     }

@@ -4,6 +4,7 @@ use freestand::code_spectrum::SiteClass;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
+use freestand_report::doubts::target_doubt;
 use freestand_study::simulated::{
     DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, city_rock, read_source,
 };
@@ -112,7 +113,8 @@ impl Question for Simulate {
             read.problems.keep_comparisons(request.check());
         }
         let request = read.problems.finish(request)?;
-        let warnings = rock.map_or_else(Vec::new, |rock| rock.warnings);
+        let of_rock = rock.iter().flat_map(|rock| &rock.doubts);
+        let warnings = of_rock.map(target_doubt).collect();
         Ok(Meant { request, warnings })
     }
 

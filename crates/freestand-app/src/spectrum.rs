@@ -13,6 +13,7 @@ use freestand_input::words::counted;
 use freestand_input::written::Written;
 use freestand_output::answer;
 use freestand_records::notes::{Note, grouped};
+use freestand_report::doubts::study_doubts;
 use freestand_study::at_place::{LastGround, motions_at};
 use freestand_study::building::MAX_STOREYS;
 use freestand_study::recorded::Second;
@@ -517,7 +518,7 @@ impl Shaking {
         Ok(Shaken {
             processing: made.motions.iter().map(processed).collect(),
             motions: made.motions,
-            warnings: made.warnings,
+            warnings: study_doubts(&made.doubts),
         })
     }
 }

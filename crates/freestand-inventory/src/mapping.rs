@@ -26,7 +26,7 @@ pub struct Mapping {
     pub(super) decimal: Option<Decimal>,
     first_floor: Option<FirstFloor>,
     /// Headings of costs, which only `risk` reads, with their currencies.
-    costs: Vec<(String, &'static str, Option<String>)>,
+    costs: Vec<MappedCost>,
     /// Its SHA-256, in hexadecimal.
     pub sha256: String,
 }
@@ -37,6 +37,16 @@ pub(super) struct Mapped {
     /// `None`: it is not read.
     pub column: Option<Column>,
     pub unit: Option<CellUnit>,
+}
+
+/// A column of costs by the heading that the file gives it.
+#[derive(Debug, Clone, PartialEq)]
+struct MappedCost {
+    /// The words of the heading.
+    words: String,
+    /// The name of the column.
+    name: &'static str,
+    currency: Option<String>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -134,9 +144,15 @@ impl Mapping {
                     _ => return Err(wrong(hint)),
                 };
                 if let Some(name) = cost_name(&name) {
-                    self.costs.push((canonical(key), name, unit));
-                    let (column, unit) = (None, None);
-                    self.columns.push((canonical(key), Mapped { column, unit }));
+                    let words = canonical(key);
+                    let (column, currency) = (None, unit);
+                    let mapped = Mapped { column, unit: None };
+                    self.columns.push((words.clone(), mapped));
+                    self.costs.push(MappedCost {
+                        words,
+                        name,
+                        currency,
+                    });
                     return Ok(());
                 }
                 let column = (name != "ignore").then(|| column(&name)).transpose()?;
@@ -206,8 +222,8 @@ impl Mapping {
     /// The column of costs that the file makes of a heading, and its currency.
     fn cost(&self, heading: &str) -> Option<(&'static str, Option<String>)> {
         let words = canonical(heading);
-        let cost = self.costs.iter().find(|one| one.0 == words)?;
-        Some((cost.1, cost.2.clone()))
+        let cost = self.costs.iter().find(|one| one.words == words)?;
+        Some((cost.name, cost.currency.clone()))
     }
 
     /// The unit of a column by its name.

@@ -23,7 +23,15 @@ pub(crate) struct Slots(Mutex<Running>);
 #[derive(Default)]
 struct Running {
     last: u64,
-    slots: HashMap<Slot, (u64, Cancel, oneshot::Sender<()>)>,
+    slots: HashMap<Slot, Holder>,
+}
+
+/// The request that has a slot.
+struct Holder {
+    number: u64,
+    cancel: Cancel,
+    /// Tells it that a newer request has the slot.
+    superseded: oneshot::Sender<()>,
 }
 
 /// A request in a slot.
@@ -38,16 +46,18 @@ impl Slots {
     /// Takes a slot; the request that was in it is cancelled.
     pub(crate) fn take(&self, slot: &Slot) -> Taken {
         let cancel = Cancel::default();
-        let (sender, superseded) = oneshot::channel();
+        let (tell, superseded) = oneshot::channel();
         let mut running = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         running.last += 1;
         let number = running.last;
-        if let Some((_, older, told)) = running
-            .slots
-            .insert(slot.clone(), (number, cancel.clone(), sender))
-        {
-            older.cancel();
-            let _ = told.send(());
+        let holder = Holder {
+            number,
+            cancel: cancel.clone(),
+            superseded: tell,
+        };
+        if let Some(older) = running.slots.insert(slot.clone(), holder) {
+            older.cancel.cancel();
+            let _ = older.superseded.send(());
         }
         Taken {
             number,
@@ -62,7 +72,7 @@ impl Slots {
         if running
             .slots
             .get(slot)
-            .is_some_and(|(own, ..)| *own == number)
+            .is_some_and(|holder| holder.number == number)
         {
             running.slots.remove(slot);
         }

@@ -16,10 +16,11 @@ use freestand_inventory::check_report;
 use freestand_output::folder::{OutputFolder, write_file};
 use freestand_output::streamed::{rows_head, rows_tail};
 use freestand_report::assessment::object_rows;
+use freestand_report::doubts::study_doubts;
 use freestand_report::study::outputs::{expected_names, write_outputs};
+use freestand_report::study::summary::{RunAnswer, Summary};
 use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::summary::{RunAnswer, Summary};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -152,7 +153,7 @@ pub(crate) fn run(
     let meant = request.resolve(&files).map_err(raised_all)?;
     let study = meant.study().map_err(of_study)?;
     let (out, force) = into;
-    let schema = freestand_study::summary::SCHEMA;
+    let schema = freestand_report::study::summary::SCHEMA;
     let told_step = Told::default();
     let work = |stop: &AtomicBool| {
         let mut inputs = meant.study.inputs.clone();
@@ -175,5 +176,6 @@ pub(crate) fn run(
         files: &written.files,
     };
     let out = out.display().to_string();
-    told(schema, &RunAnswer { summary, out }, &result.warnings)
+    let doubts = study_doubts(&result.doubts);
+    told(schema, &RunAnswer { summary, out }, &doubts)
 }

@@ -14,6 +14,7 @@ use freestand_output::folder::write_file;
 use freestand_records::formats::{Component, write_at2, write_csv};
 use freestand_records::notes::{Note, NoteKind};
 use freestand_records::processing::process;
+use freestand_report::doubts::motion_doubts;
 use freestand_study::inspect::{MotionMeasures, spectrum};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::study::RecordedMotion;
@@ -159,7 +160,7 @@ impl Record {
         fill(&mut request.damping, damping_ratios);
         let (read, request) = request.resolve(&files).map_err(raised_all)?.asked;
         let report = watched(py, None, |_| spectrum(&read, &request))?.map_err(raised)?;
-        told(SPECTRUM, &report, &report.warnings)
+        told(SPECTRUM, &report, &motion_doubts(&report.doubts))
     }
 
     fn process(&self, py: Python<'_>, values: &Bound<'_, PyDict>) -> PyResult<Self> {

@@ -16,7 +16,9 @@ use freestand_input::problem::{Problem, ProblemKind};
 use freestand_inventory::validate::validate as validated;
 use freestand_records::notes::grouped;
 use freestand_report::cushion::{DropsAnswer, drops_doubts, statics_doubt};
+use freestand_report::doubts::{building_doubt, fit_doubt, motion_doubts, target_doubt};
 use freestand_report::shock::{landing_report, shock_doubt};
+use freestand_report::target::{CodeSpectrumAnswer, FitAnswer};
 use freestand_study::floor::{FloorReport, floors};
 use freestand_study::laboratory::drop_test::{cushion_toml, drop_tests, loop_table};
 use freestand_study::laboratory::static_curve::static_tests;
@@ -92,7 +94,7 @@ pub(crate) fn shock_spectrum(
         meant.spectra(go_on)
     })?
     .map_err(raised)?;
-    told(SHOCK_SPECTRUM, &report, &report.warnings)
+    told(SHOCK_SPECTRUM, &report, &motion_doubts(&report.doubts))
 }
 
 /// The spectrum of a code.
@@ -102,7 +104,8 @@ pub(crate) fn code_spectrum(periods_s: &[u8], values: &Bound<'_, PyDict>) -> PyR
     fill(&mut request.periods, periods_s);
     let meant = request.resolve(&Files::Disk).map_err(raised_all)?;
     let report = meant.report().map_err(raised_all)?;
-    told(CODE_SPECTRUM, &report, &meant.target.warnings)
+    let doubts: Vec<String> = meant.target.doubts.iter().map(target_doubt).collect();
+    told(CODE_SPECTRUM, &CodeSpectrumAnswer(&report), &doubts)
 }
 
 /// Motions that fit a target: the document, and the motions.
@@ -115,7 +118,8 @@ pub(crate) fn synth(
     let meant = typed::<Synth>(values)?.resolve(&Files::Disk);
     let request = meant.map_err(raised_all)?.asked;
     let report = watched(py, threads, |_| made(&request))?.map_err(raised)?;
-    let text = told(SYNTH, &report, &report.warnings())?;
+    let doubts: Vec<String> = report.doubts().iter().map(fit_doubt).collect();
+    let text = told(SYNTH, &FitAnswer(&report), &doubts)?;
     let motions = report
         .motions
         .into_iter()
@@ -152,7 +156,7 @@ pub(crate) fn floor(
             motions.push(named.collect::<Vec<(String, Motion)>>());
             reports.push(done.report);
         }
-        let of_building = request.building.warnings.iter().cloned();
+        let of_building = request.building.doubts.iter().map(building_doubt);
         let warnings: Vec<String> = of_building
             .chain(grouped(notes.iter().map(|(name, note)| (name, note))))
             .collect();

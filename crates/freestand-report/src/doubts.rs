@@ -1,11 +1,27 @@
-//! What may make a history wrong and what its reader must know, as sentences.
+//! What may make a history or a study wrong and what its reader must know, as sentences.
 
+mod simulation;
+mod study;
+mod target;
+
+use freestand::impact::ValidityWarning;
 use freestand::spectra::{PERTURBATION_RATIO, SENSITIVE_RATIO};
+use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{number, significant};
 use freestand_output::answer;
+use freestand_records::processing::few_steps;
 use freestand_study::doubt::{
-    BesideWall, HistoryDoubt, HistoryNote, NarrowBase, SpectrumDoubt, UnlikelySize,
+    BesideWall, HistoryDoubt, HistoryNote, MotionDoubt, NarrowBase, SpectrumDoubt, SquatObjects,
+    UnlikelySize,
 };
+
+pub use simulation::{outside_limits, simulation_assumption};
+pub use study::{
+    assumed_at, building_doubt, fit_doubt, not_varied, period_from, study_doubt, study_doubts,
+    two_spectra,
+};
+pub(crate) use study::{dispersion, mean_off, no_result};
+pub use target::{place_doubt, target_doubt};
 
 /// What may make a history wrong.
 pub fn history_doubt(doubt: &HistoryDoubt) -> String {
@@ -105,6 +121,65 @@ pub fn unlikely_size(size: &UnlikelySize) -> String {
     )
 }
 
+/// Squat objects of a grid.
+fn squat_objects(objects: &SquatObjects) -> String {
+    let SquatObjects {
+        count,
+        objects,
+        height_m,
+        thickness_m,
+        landing_ratio,
+    } = *objects;
+    let [height, thickness] =
+        [height_m, thickness_m].map(|size_m| format_si(size_m, Dimension::Length));
+    let are = if count == 1 { "is" } else { "are" };
+    let squat = ValidityWarning::Squat { landing_ratio };
+    format!(
+        "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
+    )
+}
+
+/// What may make what is calculated from motions wrong.
+pub fn motion_doubt(doubt: &MotionDoubt) -> String {
+    match doubt {
+        MotionDoubt::OfRecords(words) => words.clone(),
+        MotionDoubt::OtherDirection {
+            component,
+            stated_deg,
+            used_deg,
+        } => format!(
+            "{component}: the file states {}°, and the given {}° is used",
+            number(*stated_deg, 6),
+            number(*used_deg, 6)
+        ),
+        MotionDoubt::FewSteps {
+            shortest_s,
+            dt_s,
+            upsample,
+            needed,
+        } => {
+            let given = match upsample {
+                0 | 1 => String::new(),
+                parts => format!(", in {parts} parts each"),
+            };
+            format!(
+                "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
+                 {needed}` would give it ten",
+                few_steps("the shortest period", *shortest_s, *dt_s)
+            )
+        }
+        MotionDoubt::LongPulse => {
+            "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low"
+                .to_owned()
+        }
+    }
+}
+
+/// The same of all, as they are told.
+pub fn motion_doubts(doubts: &[MotionDoubt]) -> Vec<String> {
+    doubts.iter().map(motion_doubt).collect()
+}
+
 fn beside_wall(beside: BesideWall) -> String {
     format!(
         "with {} times the stiffness of an edge and {} % of damping the outcome is {}, the largest tilt {} rad",
@@ -179,7 +254,7 @@ impl Notes {
 /// What may make rows of spectra wrong.
 pub fn spectrum_doubt(doubt: &SpectrumDoubt) -> String {
     match doubt {
-        SpectrumDoubt::Squat(objects) => objects.to_string(),
+        SpectrumDoubt::Squat(objects) => squat_objects(objects),
         SpectrumDoubt::Size(size) => unlikely_size(size),
         SpectrumDoubt::Validity(limit) => limit.to_string(),
         SpectrumDoubt::OfDeepestLanding(limit) => {

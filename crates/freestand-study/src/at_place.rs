@@ -8,7 +8,7 @@ use crate::resolve::{Values, of_values};
 use crate::result::GroundMotion;
 use crate::run::{floors_under, ground_motions};
 use crate::spectrum::SpectrumMotion;
-use crate::study::{Ground, Study};
+use crate::study::{Ground, Study, StudyDoubt};
 
 /// The ground motions of the last place: a user who moves a slider asks for another floor above the
 /// same ground, and to match ten motions to a spectrum takes longer than to carry them to a floor.
@@ -27,7 +27,7 @@ pub struct FloorMotions {
     /// What was done to make them.
     pub processing: Vec<String>,
     /// What the code and the building leave open.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<StudyDoubt>,
 }
 
 /// The motions of the floor at a share of the height of a building, 0 to 1.
@@ -67,7 +67,7 @@ pub fn motions_at(
     Ok(FloorMotions {
         motions,
         processing: processing(&study, level_ratio),
-        warnings: study.and_assumed_building(),
+        doubts: study.and_assumed_building(),
     })
 }
 

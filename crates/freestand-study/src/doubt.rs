@@ -1,11 +1,8 @@
-//! What there is to know beside the history of an object, as data; `freestand-report` has the sentences,
-//! but for that of squat objects, which the warnings of studies share.
+//! What there is to know beside the history of an object, as data: `freestand-report` has the words.
 
-use std::fmt;
 use std::ops::RangeInclusive;
 
 use freestand::impact::ValidityWarning;
-use freestand_input::quantity::{Dimension, format_si};
 use strum::EnumCount;
 
 /// A size that hardly any object has.
@@ -159,6 +156,35 @@ pub enum SpectrumDoubt {
     },
 }
 
+/// Something that may make what is calculated from motions wrong.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum MotionDoubt {
+    /// What was noted of records, in the words of their readers.
+    OfRecords(String),
+    /// A component points in another direction than its file states.
+    OtherDirection {
+        /// The component.
+        component: String,
+        /// As the file states \[degrees\].
+        stated_deg: f64,
+        /// As it is used \[degrees\].
+        used_deg: f64,
+    },
+    /// The shortest period has few steps.
+    FewSteps {
+        /// The period \[s\].
+        shortest_s: f64,
+        /// The step of the record \[s\].
+        dt_s: f64,
+        /// In how many parts each is divided.
+        upsample: usize,
+        /// In how many it should be.
+        needed: f64,
+    },
+    /// The pulse is so long that the fastest oscillators have few samples in a period.
+    LongPulse,
+}
+
 /// Squat objects of a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SquatObjects {
@@ -172,23 +198,4 @@ pub struct SquatObjects {
     pub thickness_m: f64,
     /// Housner's ratio of the first.
     pub landing_ratio: f64,
-}
-
-impl fmt::Display for SquatObjects {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self {
-            count,
-            objects,
-            landing_ratio,
-            ..
-        } = *self;
-        let [height, thickness] =
-            [self.height_m, self.thickness_m].map(|size_m| format_si(size_m, Dimension::Length));
-        let are = if count == 1 { "is" } else { "are" };
-        let squat = ValidityWarning::Squat { landing_ratio };
-        write!(
-            f,
-            "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
-        )
-    }
 }

@@ -2,7 +2,6 @@
 
 pub mod at_place;
 pub mod building;
-pub mod check;
 pub mod compliant;
 pub mod cushion;
 pub mod doubt;

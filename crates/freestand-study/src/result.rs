@@ -7,10 +7,10 @@ use freestand::motion::Motion;
 use freestand::rocking::Outcome;
 use freestand::spectra::{ShockCell, UpliftCell};
 use freestand::synthesis::Misfit;
-use freestand_output::{answer, answer_of};
 use freestand_records::horizontal::HorizontalMotion;
+use strum::EnumCount;
 
-use crate::study::Level;
+use crate::study::{Level, StudyDoubt};
 use crate::target::CodeParts;
 
 /// Everything that the outputs are written from.
@@ -30,8 +30,8 @@ pub struct StudyResult {
     pub history: Option<ExampleHistory>,
     /// How the result depends on the assumptions, if that was requested.
     pub sensitivity: Option<Sensitivity>,
-    /// Warnings for the reader: assumptions and limits of validity.
-    pub warnings: Vec<String>,
+    /// What its reader must know: assumptions and limits of validity.
+    pub doubts: Vec<StudyDoubt>,
 }
 
 /// A ground motion as used.
@@ -220,52 +220,30 @@ pub struct VariedLevel {
     pub compared_objects: Option<usize>,
     /// Why there is no result.
     pub reason: Option<NoResult>,
-    /// Warnings that the base does not have, joined by `; `.
-    pub warnings: Option<String>,
+    /// What the reader must know that the base does not have.
+    pub doubts: Vec<StudyDoubt>,
 }
 
 /// Why a change has no result.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, EnumCount)]
 pub enum NoResult {
-    /// The change does not affect the model; the text says what stays the same. This is a result,
-    /// not a failure.
-    Unchanged(&'static str),
+    /// The change does not affect the model, in which this stays the same. This is a result, not a
+    /// failure.
+    Unchanged(Same),
     /// The study does not allow the value, or the run failed.
     Failed(String),
 }
 
-impl std::fmt::Display for NoResult {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Unchanged(what) => write!(f, "nothing changes: {what}"),
-            Self::Failed(why) => f.write_str(why),
-        }
-    }
+/// What stays the same where a change does not affect the model.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
+pub enum Same {
+    /// The modes of the building.
+    Modes,
+    /// The objects and their cushion.
+    Objects,
+    /// The motions.
+    Motions,
 }
-
-answer_of!(VariedLevel as row {
-    /// The key that was changed; `base` for the unchanged study.
-    parameter: String;
-    /// Its value, as a study writes it; empty for `base`.
-    value: String;
-    level: String;
-    /// Height as a share of the building's, if it is known.
-    level_ratio: Option<f64>;
-    pfa_g_median: Option<f64>;
-    uplift_share: Option<f64>;
-    overturned_share: Option<f64>;
-    overturned_objects: Option<usize>;
-    edge_acceleration_g_median: Option<f64>;
-    edge_acceleration_g_max: Option<f64>;
-    /// Sum of the median shocks of the objects, divided by that of the unchanged study.
-    edge_acceleration_ratio: Option<f64>;
-    /// Number of objects in these sums.
-    compared_objects: Option<usize>;
-    /// Why there is no result.
-    reason: Option<String> = row.reason.as_ref().map(ToString::to_string);
-    /// Warnings that the unchanged study does not have.
-    warnings: Option<String>;
-});
 
 impl VariedLevel {
     /// A short form for tables and axes, `α₀ 20`.
@@ -280,12 +258,53 @@ impl VariedLevel {
     }
 }
 
-answer! {
-    /// What each variation did to each level, compared with the unchanged study.
-    pub struct Sensitivity {
-        /// The unchanged study first, then change by change; in each the levels in the order of the study.
-        rows: Vec<VariedLevel>,
-        /// What could not be varied, and why: one sentence each.
-        left_out: Vec<String>,
-    }
+/// What each variation did to each level, compared with the unchanged study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sensitivity {
+    /// The unchanged study first, then change by change; in each the levels in the order of the study.
+    pub rows: Vec<VariedLevel>,
+    /// What could not be varied.
+    pub left_out: Vec<NotVaried>,
+}
+
+/// A key that is not varied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct NotVaried {
+    /// The key.
+    pub key: &'static str,
+    /// Why.
+    pub why: WhyNotVaried,
+}
+
+/// Why a key is not varied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
+pub enum WhyNotVaried {
+    /// None of its default values changes the model.
+    DefaultsChangeNothing,
+    /// It has no default values in such a study.
+    NoDefaults,
+    /// Other motions were given in place of those of the study.
+    OtherMotions,
+    /// The study gives the motions of the floors.
+    MotionsOfFloors,
+    /// The table states the damping of every mode.
+    DampingOfTable,
+    /// The building comes from a table.
+    BuildingOfTable,
+    /// Synthetic motions follow their target.
+    Synthetic,
+    /// Simulated motions follow their source.
+    Simulated,
+    /// Simulated motions are of one magnitude and distance.
+    OneEarthquake,
+    /// The motions are matched records, which have no seed.
+    MatchedSeed,
+    /// The motions are records of a suite, which have no seed.
+    SuiteSeed,
+    /// The factors of a suite follow its target.
+    SuiteScale,
+    /// Matched records follow their target.
+    MatchedScale,
+    /// The motions are read from files.
+    Files,
 }

@@ -7,9 +7,10 @@ use freestand::oscillator::{DAMPING_RATIO, response_spectrum};
 use freestand::suite::{
     Candidate, FACTOR_LIMITS, SuiteError, SuiteScale, select_suite, suite_periods_s,
 };
-use freestand_input::words::{counted, number, significant, some};
+use freestand_input::words::{number, some};
 use freestand_output::answer_of;
 use freestand_records::horizontal::HorizontalMotion;
+use strum::EnumCount;
 
 use crate::target::Target;
 
@@ -39,11 +40,44 @@ pub struct LeftOut {
     pub reason: String,
 }
 
+/// Something that the reader of results with a suite must know.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum SuiteDoubt {
+    /// Files that cannot be used.
+    LeftOut(Vec<LeftOut>),
+    /// The mean is far from the target.
+    MeanOff(MeanOff),
+    /// The standard deviation is far from the one that was asked for.
+    Dispersion(Dispersion),
+}
+
+/// How far the mean of ln Sa is from ln of the target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeanOff {
+    /// Root mean square over the periods.
+    pub rms: f64,
+    /// At the worst of them.
+    pub worst_ln: f64,
+}
+
+/// The standard deviation of ln Sa.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Dispersion {
+    /// Root mean square over the periods.
+    pub rms: f64,
+    /// The least.
+    pub least: f64,
+    /// The most.
+    pub most: f64,
+    /// The one that was asked for.
+    pub asked: f64,
+}
+
 /// How many files a sentence names.
-pub(crate) const NAMED: usize = 5;
+pub const NAMED: usize = 5;
 
 /// The first few files that are left out, with their reasons.
-pub(crate) fn some_left_out(files: &[LeftOut]) -> String {
+pub fn some_left_out(files: &[LeftOut]) -> String {
     let named: Vec<String> = files
         .iter()
         .map(|one| format!("{}: {}", one.file, one.reason))
@@ -275,95 +309,36 @@ impl Suite {
         rms(&self.sd_ln)
     }
 
-    /// `11 of 22 usable records, each with its own factor, from 0.53 to 3.1`.
-    pub fn count_words(&self) -> String {
-        let factors = || self.members.iter().map(|(_, factor)| *factor);
-        let (least, most) = (
-            factors().fold(f64::INFINITY, f64::min),
-            factors().fold(0.0, f64::max),
-        );
-        let scaled = match self.scale {
-            SuiteScale::Each => format!(
-                "each with its own factor, from {} to {}",
-                number(least, 3),
-                number(most, 3)
-            ),
-            SuiteScale::One => format!("all with the factor {}", number(most, 3)),
-        };
-        format!(
-            "{} of {}, {scaled}",
-            self.members.len(),
-            counted(self.usable, "usable record")
-        )
-    }
-
-    /// `from 0.2 s to 3 s (no floor above the ground)`.
-    pub fn period_words(&self) -> String {
-        let ends = |at: Option<&f64>| number(at.copied().unwrap_or(f64::NAN), 3);
-        let (from_s, to_s) = (ends(self.periods_s.first()), ends(self.periods_s.last()));
-        format!("from {from_s} s to {to_s} s ({})", self.periods_from)
-    }
-
     /// How far the mean is from the target.
-    pub fn mean_words(&self) -> String {
-        let worst =
-            self.mean_ln_ratio.iter().fold(
-                0.0,
-                |worst: f64, x| if x.abs() > worst.abs() { *x } else { worst },
-            );
-        let percent = |ln: f64| number(100.0 * ln.exp_m1(), 2);
-        format!(
-            "off by {} rms, by {} % at worst",
-            significant(self.mean_rms(), 2),
-            percent(worst)
-        )
+    pub fn mean_off(&self) -> MeanOff {
+        let worst = |worst: f64, x: &f64| if x.abs() > worst.abs() { *x } else { worst };
+        MeanOff {
+            rms: self.mean_rms(),
+            worst_ln: self.mean_ln_ratio.iter().fold(0.0, worst),
+        }
     }
 
     /// The standard deviation of ln Sa and the one that was asked for.
-    pub fn sd_words(&self) -> String {
-        let least = self.sd_ln.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = self.sd_ln.iter().copied().fold(0.0, f64::max);
-        let (rms, asked) = (significant(self.sd_rms(), 2), self.scale.dispersion());
-        format!(
-            "{rms} rms, from {} to {} (asked: {asked})",
-            significant(least, 2),
-            significant(most, 2)
-        )
+    pub fn dispersion(&self) -> Dispersion {
+        Dispersion {
+            rms: self.sd_rms(),
+            least: self.sd_ln.iter().copied().fold(f64::INFINITY, f64::min),
+            most: self.sd_ln.iter().copied().fold(0.0, f64::max),
+            asked: self.scale.dispersion(),
+        }
     }
 
-    /// A warning for each thing that the reader of the results must know.
-    pub fn warnings(&self) -> Vec<String> {
-        let more = "more records to choose from, or a smaller suite_count, would fit better";
-        let mut warnings: Vec<String> = match self.left_out.as_slice() {
-            [] => Vec::new(),
-            [one] => vec![format!("suite: {} is left out: {}", one.file, one.reason)],
-            several => {
-                let count = counted(several.len(), "file");
-                vec![format!(
-                    "suite: {count} are left out: {}",
-                    some_left_out(several)
-                )]
-            }
-        };
-        if self.mean_rms() > FAR_LN {
-            warnings.push(format!(
-                "suite: the mean of ln Sa is {}: {more}",
-                self.mean_words()
-            ));
-        }
-        let excess = self.sd_rms() - self.scale.dispersion();
-        if excess.abs() > FAR_LN {
-            let effect = if excess < 0.0 {
-                "probabilities come out too near 0 and 1"
-            } else {
-                "rare events come out too often"
-            };
-            warnings.push(format!(
-                "suite: the standard deviation of ln Sa is {}: {effect}; {more}",
-                self.sd_words()
-            ));
-        }
-        warnings
+    /// What the reader of the results must know.
+    pub fn doubts(&self) -> Vec<SuiteDoubt> {
+        let (mean, dispersion) = (self.mean_off(), self.dispersion());
+        let left_out = !self.left_out.is_empty();
+        let is_far = (dispersion.rms - dispersion.asked).abs() > FAR_LN;
+        left_out
+            .then(|| SuiteDoubt::LeftOut(self.left_out.clone()))
+            .into_iter()
+            .chain((mean.rms > FAR_LN).then_some(SuiteDoubt::MeanOff(mean)))
+            .chain(is_far.then_some(SuiteDoubt::Dispersion(dispersion)))
+            .collect()
     }
 }
 

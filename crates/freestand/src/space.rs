@@ -8,6 +8,7 @@ pub(crate) type Turn = [f64; 4];
 /// No rotation.
 pub(crate) const UPRIGHT: Turn = [1.0, 0.0, 0.0, 0.0];
 
+#[inline]
 pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -16,14 +17,17 @@ pub(crate) fn cross(a: &Vector, b: &Vector) -> Vector {
     ]
 }
 
+#[inline]
 pub(crate) fn dot(a: &Vector, b: &Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
+#[inline]
 pub(crate) fn sum(a: &Vector, b: &Vector) -> Vector {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
+#[inline]
 pub(crate) fn difference(a: &Vector, b: &Vector) -> Vector {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
@@ -32,6 +36,7 @@ pub(crate) fn difference(a: &Vector, b: &Vector) -> Vector {
 pub(crate) type Shift = [Vector; 3];
 
 /// Q − I.
+#[inline]
 pub(crate) fn shift([w, x, y, z]: &Turn) -> Shift {
     [
         [
@@ -53,26 +58,36 @@ pub(crate) fn shift([w, x, y, z]: &Turn) -> Shift {
 }
 
 /// (Q − I) p.
+#[inline]
 pub(crate) fn moved(shift: &Shift, p: &Vector) -> Vector {
     [dot(&shift[0], p), dot(&shift[1], p), dot(&shift[2], p)]
 }
 
 /// (Qᵀ − I) p.
+#[inline]
 pub(crate) fn moved_back(shift: &Shift, p: &Vector) -> Vector {
-    [0, 1, 2].map(|axis| shift[0][axis] * p[0] + shift[1][axis] * p[1] + shift[2][axis] * p[2])
+    let [a, b, c] = shift;
+    [
+        a[0] * p[0] + b[0] * p[1] + c[0] * p[2],
+        a[1] * p[0] + b[1] * p[1] + c[1] * p[2],
+        a[2] * p[0] + b[2] * p[1] + c[2] * p[2],
+    ]
 }
 
 /// Q p: from body axes to those of the floor.
+#[inline]
 pub(crate) fn turned(shift: &Shift, p: &Vector) -> Vector {
     sum(p, &moved(shift, p))
 }
 
 /// Qᵀ p: from the axes of the floor to those of the body.
+#[inline]
 pub(crate) fn turned_back(shift: &Shift, p: &Vector) -> Vector {
     sum(p, &moved_back(shift, p))
 }
 
 /// q̇ = ½ q ⊗ (0, Ω), with Ω in body axes.
+#[inline]
 pub(crate) fn turning(turn: &Turn, omega: &Vector) -> Turn {
     let [w, axis @ ..] = turn;
     let across = cross(axis, omega);

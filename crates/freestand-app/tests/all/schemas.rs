@@ -37,22 +37,21 @@ use freestand_output::answer::{Answer, Described as _, object};
 use freestand_report::assessment::{JobReport, PlanReport, row_schema};
 use freestand_report::cushion::DropsAnswer;
 use freestand_report::fragility::{FragilityAnswer, RunsAnswer};
+use freestand_report::ground::SimulatedAnswer;
 use freestand_report::object::ObjectReport;
 use freestand_report::restraint::{RestrainListReport, RestrainReport};
 use freestand_report::risk::RiskAnswer;
 use freestand_report::shock::LandingReport;
-use freestand_study::check::Check;
+use freestand_report::study::check::Check;
+use freestand_report::study::summary::{self, RunAnswer};
+use freestand_report::target::{CodeSpectrumAnswer, FitAnswer};
 use freestand_study::floor::FloorReport;
 use freestand_study::inspect::{InfoReport, RotdReport};
 use freestand_study::laboratory::cushion_curve::CurveReport;
 use freestand_study::laboratory::static_curve::StaticsReport;
 use freestand_study::laboratory::virtual_laboratory::{RecoveryReport, SimulatedTests};
-use freestand_study::matched::FitReport;
 use freestand_study::shock_spectrum::ShockSpectrumReport;
-use freestand_study::simulated::SimulatedReport;
 use freestand_study::spectrum::SpectrumRow;
-use freestand_study::summary::{self, RunAnswer};
-use freestand_study::target::CodeSpectrumReport;
 use freestand_study::validate::Validation;
 use schemars::JsonSchema;
 use serde_json::{Map, Value};
@@ -233,7 +232,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "motion-synth.response.json",
-            of_answer::<FitReport>("motion synth", synth::SCHEMA),
+            of_answer::<FitAnswer<'_>>("motion synth", synth::SCHEMA),
         ),
         (
             "motion-match.request.json",
@@ -241,7 +240,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "motion-match.response.json",
-            of_answer::<FitReport>("motion match", synth::SCHEMA),
+            of_answer::<FitAnswer<'_>>("motion match", synth::SCHEMA),
         ),
         (
             "motion-simulate.request.json",
@@ -249,7 +248,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "motion-simulate.response.json",
-            of_answer::<SimulatedReport<'_>>("motion simulate", simulate::SCHEMA),
+            of_answer::<SimulatedAnswer<'_>>("motion simulate", simulate::SCHEMA),
         ),
         (
             "code-spectrum.request.json",
@@ -257,7 +256,7 @@ fn the_schemas_are_those_of_the_structs() {
         ),
         (
             "code-spectrum.response.json",
-            of_answer::<CodeSpectrumReport>("motion code-spectrum", code_spectrum::SCHEMA),
+            of_answer::<CodeSpectrumAnswer<'_>>("motion code-spectrum", code_spectrum::SCHEMA),
         ),
         ("floor.request.json", of_request::<Floor>("floor", &[])),
         (

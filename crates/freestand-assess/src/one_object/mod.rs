@@ -19,7 +19,7 @@ use freestand_study::doubt::UnlikelySize;
 use freestand_study::hull::{BodyInPose, Surface};
 use freestand_study::recorded::ReadMotion;
 use freestand_study::resolve::StudySource;
-use freestand_study::study::Study;
+use freestand_study::study::{Study, StudyDoubt};
 
 use crate::reason::{Missing, Reason};
 use crate::result::Assessment;
@@ -211,7 +211,7 @@ pub struct ObjectResult<'r> {
     /// The object under its motions at each scale that was asked for.
     pub scales: Vec<AtScale>,
     /// What is doubtful about the study.
-    pub study_warnings: Vec<String>,
+    pub study_doubts: Vec<StudyDoubt>,
     /// Its sizes that hardly any object has.
     pub unlikely_sizes: Vec<UnlikelySize>,
     /// What else is doubtful about it, as of a row of a list.
@@ -339,7 +339,7 @@ fn in_study<'r>(
         item: row.item,
         at_one,
         scales,
-        study_warnings: shaken.warnings,
+        study_doubts: shaken.doubts,
         unlikely_sizes: row.unlikely_sizes,
         row_doubts: row.doubts,
         unused,

@@ -14,7 +14,7 @@ use freestand_study::places::{Confidence, Place, PlaceHazard};
 use freestand_study::recorded::{ReadMotion, refuse_copies};
 use freestand_study::resolve::{Hazard, Overrides, Values, of_values};
 use freestand_study::study::assessment::{Settings, Spread};
-use freestand_study::study::{Ground, Level, Study};
+use freestand_study::study::{Ground, Level, Study, StudyDoubt};
 use freestand_study::target::Target;
 
 use super::earthquake::NamedEarthquake;
@@ -28,7 +28,7 @@ const SPECTRUM: (SpectrumType, GroundType) = (SpectrumType::Type1, GroundType::B
 pub(super) struct Shaken {
     pub(super) study: Study,
     pub(super) earthquake: NamedEarthquake,
-    pub(super) warnings: Vec<String>,
+    pub(super) doubts: Vec<StudyDoubt>,
 }
 
 impl Shaken {
@@ -71,8 +71,8 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
                 .get("spectrum")
                 .and_then(|path| file_name(Path::new(path)));
             let mut shaken = of_study(study, hazard.get("site").is_some(), file);
-            if let Some(warnings) = of_ground(&shaken.study, &request.floor) {
-                shaken.warnings = warnings;
+            if let Some(doubts) = of_ground(&shaken.study, &request.floor) {
+                shaken.doubts = doubts;
             }
             shaken
         }
@@ -91,9 +91,9 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             if let Ground::Synthetic(synthetic) = &mut study.ground {
                 synthetic.near_fault = *near_fault;
             }
-            let warnings = of_ground(&study, &request.floor);
+            let doubts = of_ground(&study, &request.floor);
             Shaken {
-                warnings: warnings.unwrap_or_else(|| study.and_assumed_building()),
+                doubts: doubts.unwrap_or_else(|| study.and_assumed_building()),
                 study,
                 earthquake: NamedEarthquake::GroundAcceleration { peak_g },
             }
@@ -105,7 +105,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
         Earthquake::Motions { motions, .. } => {
             refuse_copies(motions.iter().map(|read| read.motion.samples()))?;
             let mut study = of_values(&values(Hazard::default()))?;
-            let warnings = grouped(motions.iter().flat_map(ReadMotion::named_notes));
+            let notes = grouped(motions.iter().flat_map(ReadMotion::named_notes));
             let recorded = motions.iter().map(|read| read.motion.clone()).collect();
             study.ground = Ground::OnFloors;
             study.building = None;
@@ -120,7 +120,7 @@ pub(super) fn shaken(request: &ObjectRequest) -> Result<Shaken, Problems> {
             Shaken {
                 study,
                 earthquake: NamedEarthquake::Motions,
-                warnings,
+                doubts: notes.into_iter().map(StudyDoubt::OfRecords).collect(),
             }
         }
     };
@@ -174,10 +174,11 @@ pub fn check_place(hazard: &Words) -> Result<(), Problems> {
         .map_err(|problems| problems.into_iter().map(earthquake).collect())
 }
 
-/// The warnings for an object on the ground: the building has no part in the answer. `None`: it is on a floor.
-fn of_ground(study: &Study, floor: &Floor) -> Option<Vec<String>> {
+/// What is doubtful for an object on the ground: the building has no part in the answer. `None`: it is on a floor.
+fn of_ground(study: &Study, floor: &Floor) -> Option<Vec<StudyDoubt>> {
     let target = study.ground.code_spectrum()?;
-    (floor.place == FloorPlace::Ground).then(|| target.warnings.clone())
+    let doubts = || target.doubts.iter().cloned().map(StudyDoubt::Target);
+    (floor.place == FloorPlace::Ground).then(|| doubts().collect())
 }
 
 /// Nothing is drawn, and every motion is used once.
@@ -211,7 +212,7 @@ fn of_study(study: Study, names_site: bool, name: Option<String>) -> Shaken {
         },
     };
     Shaken {
-        warnings: study.warnings.clone(),
+        doubts: study.doubts.clone(),
         study,
         earthquake,
     }
@@ -255,6 +256,8 @@ fn named(target: &Target, names_site: bool, study: String) -> NamedEarthquake {
 
 #[cfg(test)]
 mod tests {
+    use freestand_study::target::TargetDoubt;
+
     use super::*;
     use crate::one_object::Object;
 
@@ -304,17 +307,17 @@ mod tests {
 
     /// On the ground, nothing is said about a building that nobody named.
     #[test]
-    fn warnings_are_those_of_the_hazard() {
+    fn doubts_are_those_of_the_hazard() {
         let words = Words::from_iter([("place", "Athens".to_owned())]);
         let found = shaken_by(Earthquake::Place(words), None);
         assert!(
-            found
-                .warnings
-                .iter()
-                .any(|warning| warning.contains("approximate")),
+            matches!(
+                found.doubts[..],
+                [StudyDoubt::Target(TargetDoubt::Place(_))]
+            ),
             "{:?}",
-            found.warnings
+            found.doubts
         );
-        assert!(found.study.warnings.len() > found.warnings.len());
+        assert!(found.study.doubts.len() > found.doubts.len());
     }
 }

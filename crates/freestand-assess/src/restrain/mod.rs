@@ -24,7 +24,7 @@ use freestand_study::places::Place;
 use freestand_study::shape::{Shape, Sizes};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::RestraintSettings;
-use freestand_study::target::Target;
+use freestand_study::target::{Target, TargetDoubt};
 
 use crate::axis::Axis;
 use crate::list::floors_of;
@@ -269,7 +269,7 @@ pub enum RestraintAssumption {
 #[derive(Debug, Clone, PartialEq)]
 pub enum RestraintDoubt {
     /// What is doubtful about the hazard or the place.
-    Hazard(String),
+    Hazard(TargetDoubt),
     /// A size that hardly any object has.
     Size(UnlikelySize),
     /// A key that says something about long periods alone.
@@ -387,17 +387,18 @@ fn case_of(request: RestrainRequest, kind: Result<ObjectKind, Problem>) -> Resul
     if let (None, Some(axis)) = (question.settings.anchor_inset_m, &own.axis) {
         assumptions.push(RestraintAssumption::Inset(axis.inset_m(None)));
     }
-    let of_hazard: Vec<String> = match (&request.hazard, &target) {
+    let of_hazard: Vec<TargetDoubt> = match (&request.hazard, &target) {
         // A study tells its own; here only what concerns the place counts.
         (RestrainHazard::Study(_), Some(target)) => target
             .place
             .as_ref()
             .and_then(Place::doubt)
+            .map(TargetDoubt::Place)
             .into_iter()
             .collect(),
         (_, target) => target
             .iter()
-            .flat_map(|target| target.warnings.iter().cloned())
+            .flat_map(|target| target.doubts.iter().cloned())
             .collect(),
     };
     let mut doubts: Vec<RestraintDoubt> = of_hazard

@@ -345,8 +345,19 @@ pub struct Shares {
     /// Of each group: the share of worlds in which the answer would be another if only this were
     /// different, over that for two independent worlds; `None`: too few events.
     pub by_group: Vec<(Cause, Option<f64>)>,
-    /// What to measure first, with the probability where it is at its 10 % and at its 90 % point.
-    pub measure_first: Option<(Cause, f64, f64)>,
+    /// What to measure first.
+    pub measure_first: Option<MeasureFirst>,
+}
+
+/// What to measure first: the accepted probability lies between those at its two ends.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct MeasureFirst {
+    /// What it is.
+    pub cause: Cause,
+    /// The probability where it is at its 10 % point.
+    pub low_ratio: f64,
+    /// And at its 90 % point.
+    pub high_ratio: f64,
 }
 
 /// What an answer may depend on.

@@ -397,6 +397,14 @@ struct Run {
 /// Worlds whose floors are held at a time.
 const BLOCK: u32 = 256;
 
+/// The floors of worlds that follow each other.
+#[derive(Clone, Copy)]
+struct Stretch<'f> {
+    /// The number of the first world.
+    first: u32,
+    floors: &'f [Arc<FloorOfWorld>],
+}
+
 /// Every hold that can be calculated of the objects on one floor, each in the worlds that `most` says.
 fn held_runs(
     context: &Context,
@@ -434,8 +442,8 @@ fn held_runs(
             let own = most(case).saturating_sub(first).min(BLOCK) as usize;
             let floors = &floors[..own.min(floors.len())];
             if let Some(Measure::Held(grip)) = case.measures.get(run.measure) {
-                run.worlds
-                    .live_on(context, &case.trial, grip, (first, floors));
+                let stretch = Stretch { first, floors };
+                run.worlds.live_on(context, &case.trial, grip, stretch);
             }
         }
     }
@@ -454,13 +462,13 @@ impl HeldWorlds {
         }))
     }
 
-    /// In the worlds of these floors, numbered from `first`.
+    /// In worlds that follow each other.
     fn live_on(
         &mut self,
         context: &Context,
         trial: &Trial,
         grip: &Grip,
-        (first, floors): (u32, &[Arc<FloorOfWorld>]),
+        Stretch { first, floors }: Stretch,
     ) {
         let subject = &trial.subject;
         let settings = &context.study.assessment;

@@ -1,6 +1,6 @@
 //! What an answer depends on, and what to measure first.
 
-use crate::result::{Cause, Shares};
+use crate::result::{Cause, MeasureFirst, Shares};
 use freestand::decision::jansen_share;
 use freestand::worlds::Group;
 use freestand_input::problem::Problems;
@@ -85,16 +85,21 @@ pub(super) fn shares(context: &Context, trials: &[Trial]) -> Result<Vec<Option<S
         match change {
             Change::At(_, normal) if normal < 0.0 => low = Some(share(&events)),
             Change::At(..) => {
-                let (low, high) = (low.take().unwrap_or_default(), share(&events));
+                let next = MeasureFirst {
+                    cause,
+                    low_ratio: low.take().unwrap_or_default(),
+                    high_ratio: share(&events),
+                };
                 let accepted = one.trial.member.accepted_ratio;
-                let crosses = (low > accepted) != (high > accepted);
+                let crosses = (next.low_ratio > accepted) != (next.high_ratio > accepted);
+                let width = |of: MeasureFirst| (of.high_ratio - of.low_ratio).abs();
                 // The widest first.
                 if crosses
                     && one
                         .measure_first
-                        .is_none_or(|(_, from, to)| (high - low).abs() > (to - from).abs())
+                        .is_none_or(|first| width(next) > width(first))
                 {
-                    one.measure_first = Some((cause, low, high));
+                    one.measure_first = Some(next);
                 }
             }
             Change::Again(_) | Change::None => {
@@ -130,7 +135,7 @@ struct Asked<'a> {
     by_group: Vec<(Cause, Option<f64>)>,
     /// The group whose probabilities at its 10 % and its 90 % point lie on both sides of the
     /// accepted one.
-    measure_first: Option<(Cause, f64, f64)>,
+    measure_first: Option<MeasureFirst>,
 }
 
 impl<'a> Asked<'a> {

@@ -3,8 +3,9 @@
 use clap::Args;
 use freestand_app::run::{CHECK_SCHEMA, CheckStudy, StudyMeant};
 use freestand_output::answer::Answer;
+use freestand_report::doubts::study_doubts;
+use freestand_report::study::check::Check;
 use freestand_report::table::lines;
-use freestand_study::check::Check;
 use freestand_study::resolve::motion_paths;
 
 use super::{Done, Tell};
@@ -35,9 +36,13 @@ impl Tell for CheckStudy {
         inputs.extend(motion_paths(&study));
         let files = Files::begin(global, &inputs)?;
         let check = Check(&study);
-        files.print(printer, CHECK_SCHEMA, &check, &study.warnings, || {
-            lines(&check.facts())
-        })?;
+        files.print(
+            printer,
+            CHECK_SCHEMA,
+            &check,
+            &study_doubts(&study.doubts),
+            || lines(&check.facts()),
+        )?;
         Ok(Done::OK)
     }
 }

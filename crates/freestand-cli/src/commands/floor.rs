@@ -5,6 +5,7 @@ use freestand_app::floor::{Floor, Meant, SCHEMA};
 use freestand_input::words::number;
 use freestand_records::notes::grouped;
 use freestand_records::write::write_csv;
+use freestand_report::doubts::building_doubt;
 use freestand_report::figures::{floor_response_figure, profile_figure};
 use freestand_report::motion::floor_text;
 use freestand_study::floor::{FloorReport, FloorRequest, SpectraReport, floors, spectra_table};
@@ -92,5 +93,6 @@ fn report(
         files.figure("spectra", draw)?;
     }
     let notes = grouped(notes.iter().map(|(name, note)| (name, note)));
-    Ok((report, [request.building.warnings.clone(), notes].concat()))
+    let of_building = request.building.doubts.iter().map(building_doubt);
+    Ok((report, of_building.chain(notes).collect()))
 }

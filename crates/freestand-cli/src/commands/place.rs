@@ -2,6 +2,7 @@
 
 use clap::{Args, Subcommand};
 use freestand_app::places::{Found, PlaceList, PlaceShow, SCHEMA};
+use freestand_report::doubts::place_doubt;
 use freestand_report::place::{place_text, places_text};
 use freestand_study::places::Place;
 
@@ -71,7 +72,8 @@ impl Tell for PlaceShow {
         global: &GlobalArgs,
         printer: &Printer,
     ) -> Result<Done, Failure> {
-        let doubts: Vec<String> = place.doubt().into_iter().collect();
+        let doubt = place.doubt();
+        let doubts: Vec<String> = doubt.iter().map(place_doubt).collect();
         print(
             vec![place],
             &doubts,

@@ -8,13 +8,14 @@ use freestand_app::files::Files as Sources;
 use freestand_app::request::Question as _;
 use freestand_app::run::{Meant, Run};
 use freestand_output::folder::{OutputFolder, removed_note};
+use freestand_report::doubts::study_doubts;
 use freestand_report::study::outputs::{expected_names, write_outputs};
+use freestand_report::study::summary::{RunAnswer, Summary};
 use freestand_report::study::{levels_text, sensitivity_text};
 use freestand_study::rerun::with_seed;
 use freestand_study::resolve::{builtin_toml, motion_paths};
 use freestand_study::result::NoResult;
 use freestand_study::run::{Stage, Step, run as run_study};
-use freestand_study::summary::{RunAnswer, Summary};
 use freestand_study::vary::vary;
 
 use super::{Done, Tell};
@@ -70,7 +71,7 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
     inputs.extend(motion_paths(&study));
     let stop = printer.stop();
     let folder = OutputFolder::stage(&out, global.force, &inputs)?
-        .of_command(freestand_study::summary::SCHEMA)?;
+        .of_command(freestand_report::study::summary::SCHEMA)?;
     folder.check(&expected_names(&study, variations.is_some()))?;
 
     let bar = printer.progress_bar(false);
@@ -125,9 +126,9 @@ fn whole_study(meant: &Meant, global: &GlobalArgs, printer: &Printer) -> Result<
         out: written.folder.display().to_string(),
     };
     printer.result(
-        freestand_study::summary::SCHEMA,
+        freestand_report::study::summary::SCHEMA,
         &answer,
-        &result.warnings,
+        &study_doubts(&result.doubts),
         || {
             let files = written
                 .files

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use freestand_app::shock_spectrum::{Meant, SCHEMA, Shock, ShockSpectrum};
+use freestand_report::doubts::motion_doubts;
 use freestand_report::figures::spectra_figure;
 use freestand_report::motion::shock_spectrum_text;
 use freestand_study::recorded::ReadMotion;
@@ -54,9 +55,13 @@ impl Tell for ShockSpectrum {
         let files = Files::with_tables(global, meant.inputs(), tables, SCHEMA, None)?;
         files.table("shock_spectrum", || report.table())?;
         files.figure("shock_spectrum", || spectra_figure(&report))?;
-        files.print(printer, SCHEMA, &report, &report.warnings, || {
-            shock_spectrum_text(&report)
-        })?;
+        files.print(
+            printer,
+            SCHEMA,
+            &report,
+            &motion_doubts(&report.doubts),
+            || shock_spectrum_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

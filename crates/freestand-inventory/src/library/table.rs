@@ -69,11 +69,20 @@ pub(super) struct Row {
     cells: Vec<String>,
 }
 
+/// A known column of a library.
+#[derive(Debug)]
+struct Found {
+    name: &'static str,
+    /// Its place in a row.
+    place: usize,
+    unit: Option<&'static Unit>,
+}
+
 /// A library as a table of cells.
 #[derive(Debug)]
 pub(super) struct Table {
-    /// The place and the unit of each known column.
-    places: Vec<(&'static str, usize, Option<&'static Unit>)>,
+    /// Each known column.
+    columns: Vec<Found>,
     pub rows: Vec<Row>,
     pub warnings: Vec<String>,
 }
@@ -81,13 +90,13 @@ pub(super) struct Table {
 impl Table {
     /// The cell of a row in a column; empty where the file does not have the column.
     pub(super) fn cell<'a>(&self, row: &'a Row, name: &str) -> Cell<'a> {
-        let place = self.places.iter().find(|(known, ..)| *known == name);
-        let text = place
-            .and_then(|(_, at, _)| row.cells.get(*at))
+        let column = self.columns.iter().find(|column| column.name == name);
+        let text = column
+            .and_then(|column| row.cells.get(column.place))
             .map_or("", |text| text.trim());
         Cell {
             text,
-            unit: place.and_then(|(.., unit)| *unit),
+            unit: column.and_then(|column| column.unit),
         }
     }
 }
@@ -135,7 +144,7 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
         let problem = bad_file(message, header_hint(columns));
         return Err(problem.at_line(1).into());
     }
-    let (places, mut problems, warnings) = headers(&header, columns);
+    let (found, mut problems, warnings) = headers(&header, columns);
     let mut rows = Vec::new();
     for record in records {
         let record = match record {
@@ -170,7 +179,7 @@ pub(super) fn read_table(bytes: &[u8], columns: &[Column]) -> Result<Table, Prob
         });
     }
     problems.finish(Some(Table {
-        places,
+        columns: found,
         rows,
         warnings,
     }))
@@ -195,18 +204,16 @@ fn header_hint(columns: &[Column]) -> String {
     )
 }
 
-type Places = Vec<(&'static str, usize, Option<&'static Unit>)>;
-
 /// Finds the known columns in the header.
-fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems, Vec<String>) {
-    let (mut places, mut problems, mut warnings): (Places, Problems, Vec<String>) =
+fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Vec<Found>, Problems, Vec<String>) {
+    let (mut found, mut problems, mut warnings): (Vec<Found>, Problems, Vec<String>) =
         Default::default();
     let names = names(columns);
     let mut note = |column: &Column, what: &str, hint: String| {
         let message = format!("column {}{what}", column.name);
         problems.push(bad_file(message, hint).at_line(1));
     };
-    for (at, text) in header.iter().enumerate() {
+    for (place, text) in header.iter().enumerate() {
         let (name, unit) = split_header(text);
         let Some(column) = columns.iter().find(|column| column.name == name) else {
             let near = Some(&name)
@@ -219,12 +226,17 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
             ));
             continue;
         };
-        if places.iter().any(|(known, ..)| *known == column.name) {
+        if found.iter().any(|one| one.name == column.name) {
             note(column, " occurs twice", "keep one of them".to_owned());
             continue;
         }
+        let of = |unit| Found {
+            name: column.name,
+            place,
+            unit,
+        };
         match (column.dimension, unit) {
-            (Some(Dimension::Ratio) | None, None) => places.push((column.name, at, None)),
+            (Some(Dimension::Ratio) | None, None) => found.push(of(None)),
             (Some(dimension), None) => {
                 let symbol = dimension.units().next().map_or("", |unit| unit.symbol);
                 let hint = format!(
@@ -241,7 +253,7 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
                 );
             }
             (Some(dimension), Some(unit)) => match find_unit(&unit, dimension) {
-                Ok(unit) => places.push((column.name, at, Some(unit))),
+                Ok(unit) => found.push(of(Some(unit))),
                 Err(problem) => {
                     let hint = problem.hint.unwrap_or_default();
                     note(column, &format!(": {}", problem.message), hint);
@@ -250,11 +262,11 @@ fn headers(header: &csv::StringRecord, columns: &[Column]) -> (Places, Problems,
         }
     }
     for column in columns.iter().filter(|column| column.needed) {
-        if !places.iter().any(|(known, ..)| *known == column.name) {
+        if !found.iter().any(|one| one.name == column.name) {
             note(column, " is missing", header_hint(columns));
         }
     }
-    (places, problems, warnings)
+    (found, problems, warnings)
 }
 
 /// The name and the unit of a header: `Edge lift [mm]` → `edge_lift` and `mm`.

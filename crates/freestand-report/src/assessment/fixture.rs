@@ -18,9 +18,9 @@ use freestand_assess::restraint::footing::Footing;
 use freestand_assess::restraint::source::{Clause, Source, SourceKind};
 use freestand_assess::result::{
     AcceptedFor, Answers, Assessment, AtWall, Axis, AxisResponse, CapacityCheck, Cause, Chain,
-    Comparison, Criterion, Decision, FallsAnswer, FloorFacts, ModelAnswers, ObjectModel, OnPads,
-    OnRigidBase, PadOutcome, Probability, RestraintForce, Rolled, Shares, Shock, ShockAnswer,
-    Sliding, SlidingVerdict, Softening,
+    Comparison, Criterion, Decision, FallsAnswer, FloorFacts, MeasureFirst, ModelAnswers,
+    ObjectModel, OnPads, OnRigidBase, PadOutcome, Probability, RestraintForce, Rolled, Shares,
+    Shock, ShockAnswer, Sliding, SlidingVerdict, Softening,
 };
 use freestand_input::problem::Problem;
 use freestand_inventory::library::{Confidence, Tolerance};
@@ -364,7 +364,11 @@ pub(super) fn assessment(item: &Item, index: usize) -> Assessment {
         }),
         shares: (index % 4 == 3).then(|| Shares {
             by_group: Cause::ALL.map(|cause| (cause, Some(0.3))).to_vec(),
-            measure_first: Some((Cause::Pad, 0.04, 0.31)),
+            measure_first: Some(MeasureFirst {
+                cause: Cause::Pad,
+                low_ratio: 0.04,
+                high_ratio: 0.31,
+            }),
         }),
         per_year: None,
         sliding: Some(Sliding {

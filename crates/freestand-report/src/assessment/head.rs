@@ -3,6 +3,8 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
+use crate::doubts::{assumed_at, period_from, study_doubt, two_spectra};
+use crate::ground::{earthquake, simulated_earthquakes, vertical_motion};
 use crate::near_fault::near_fault_words;
 use freestand_assess::accepted::accepted;
 use freestand_assess::assumed::{self, Open};
@@ -79,7 +81,7 @@ pub fn head(study: &Study, inventory: &Inventory) -> Head {
         let period = number(building.along.period_s(), 3);
         fact(
             "Period of the building",
-            format!("T₁ = {period} s: {}", building.period_note),
+            format!("T₁ = {period} s: {}", period_from(&building.period_from)),
         );
     }
     if let Some(seed) = study.ground.seed() {
@@ -103,9 +105,9 @@ pub fn head(study: &Study, inventory: &Inventory) -> Head {
             .collect(),
         problems: console_lines(&inventory.findings),
         warnings: study
-            .warnings
+            .doubts
             .iter()
-            .cloned()
+            .map(study_doubt)
             .chain(few_worlds(study, inventory))
             .chain(inventory.warnings.iter().cloned())
             .collect(),
@@ -284,16 +286,16 @@ fn motions(study: &Study) -> String {
         Ground::Synthetic(synthetic) => {
             return format!(
                 "synthetic, a new one in every world: {}",
-                synthetic.target.title_words()
+                earthquake(&synthetic.target)
             );
         }
-        Ground::Simulated(simulated) => simulated.title_words(),
+        Ground::Simulated(simulated) => simulated_earthquakes(simulated),
         Ground::Recorded(_) => match (study.ground.suite(), study.ground.target()) {
             (Some(suite), _) => format!(
                 "records selected and scaled for {}",
-                suite.target.title_words()
+                earthquake(&suite.target)
             ),
-            (None, Some(target)) => format!("records matched to {}", target.title_words()),
+            (None, Some(target)) => format!("records matched to {}", earthquake(target)),
             (None, None) => "records".to_owned(),
         },
         Ground::OnFloors => "given floor motions".to_owned(),
@@ -374,7 +376,7 @@ fn most_important(study: &Study, inventory: &Inventory) -> Vec<String> {
         Some(building) => format!(
             "The building stays elastic; its fundamental period is {} s ({}).",
             number(building.along.period_s(), 3),
-            building.period_note
+            period_from(&building.period_from)
         ),
         None => "The floors move as given.".to_owned(),
     };
@@ -418,7 +420,7 @@ pub const RULE: &str = "Order of the list: first what to restrain, then what to 
 
 /// What nobody stated of the place and the building.
 fn nobody_stated(study: &Study) -> Option<String> {
-    let all: Vec<String> = study.assumed_at(1.0, UnitSystem::Si).collect();
+    let all: Vec<String> = assumed_at(study, 1.0, UnitSystem::Si).collect();
     (!all.is_empty()).then(|| format!("Assumed, because nobody stated it: {}.", all.join("; ")))
 }
 
@@ -473,11 +475,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
     let percent = |share: f64| percent_significant(share, 3);
     let looks = worlds.looks;
     let mut assumed = silent(study, inventory);
-    assumed.extend(
-        study
-            .two_spectra_words()
-            .map(|words| format!("Assumed: {words}.")),
-    );
+    assumed.extend(two_spectra(study).map(|words| format!("Assumed: {words}.")));
     assumed.extend(near_fault_words(study).map(|words| format!("Assumed: {words}.")));
     assumed.extend([
         "Every probability is given the earthquake of this study; it is not an annual probability.".to_owned(),
@@ -522,7 +520,7 @@ fn assumptions(study: &Study, inventory: &Inventory) -> Vec<String> {
             if study.ground.has_vertical() {
                 format!(
                     "Vertical motion: {}; floors above the ground have {} times that of the ground.",
-                    study.ground.vertical_words(),
+                    vertical_motion(&study.ground),
                     study.vertical_amplification_ratio
                 )
             } else {

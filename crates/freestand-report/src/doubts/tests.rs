@@ -109,10 +109,29 @@ fn every_doubt_and_note_in_words() {
         },
     ];
     all(&of_spectra);
+    let few = |upsample, needed| MotionDoubt::FewSteps {
+        shortest_s: 0.1,
+        dt_s: 0.02,
+        upsample,
+        needed,
+    };
+    let of_motions = [
+        MotionDoubt::OfRecords("n.csv: a note of its reader".to_owned()),
+        MotionDoubt::OtherDirection {
+            component: "e".to_owned(),
+            stated_deg: 90.0,
+            used_deg: 270.0,
+        },
+        few(1, 2.0),
+        few(2, 4.0),
+        MotionDoubt::LongPulse,
+    ];
+    all(&of_motions);
     let told = doubts
         .iter()
         .map(history_doubt)
         .chain(Notes::of(&notes).notes)
-        .chain(of_spectra.iter().map(spectrum_doubt));
+        .chain(of_spectra.iter().map(spectrum_doubt))
+        .chain(motion_doubts(&of_motions));
     insta::assert_snapshot!(told.collect::<Vec<_>>().join("\n"));
 }

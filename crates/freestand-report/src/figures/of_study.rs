@@ -6,6 +6,7 @@ use super::kind::{FigureKind, MAX_RECORDS, MAX_SYNTHETIC};
 use super::profile::{ProfilePicture, floor_profile};
 use super::record::{Words, record};
 use super::{floor_spectra, history, response, vary};
+use crate::ground::simulated_earthquakes;
 use freestand_output::figure::page::{Page, draw};
 use freestand_output::figure::{Figure, FigureError};
 use freestand_study::result::StudyResult;
@@ -119,7 +120,7 @@ fn study_record(index: usize, study: &Study, result: &StudyResult) -> Option<Pag
             (&ground.name, description, &[][..])
         }
         Ground::Simulated(simulated) => {
-            let (title, seed) = (simulated.title_words(), simulated.request.seed);
+            let (title, seed) = (simulated_earthquakes(simulated), simulated.request.seed);
             (&ground.name, format!("of {title}, seed {seed}"), &[][..])
         }
         Ground::OnFloors => return None,

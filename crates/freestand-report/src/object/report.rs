@@ -15,7 +15,9 @@ use freestand_study::target::Target;
 use super::sentence::{Answer, AnswerKind, Counts, ToldFloor, Withstands, noun};
 use crate::assessment::reasons::{spectrum_decides, why};
 use crate::assessment::words::too_mild;
-use crate::doubts::{narrow_base, turned, unlikely_size};
+use crate::doubts::{
+    assumed_at, narrow_base, period_from, study_doubts, turned, two_spectra, unlikely_size,
+};
 use crate::near_fault::near_fault_words;
 use freestand_assess::one_object::{
     AtScale, Earthquake, FloorPlace, HULL_FRICTION_RATIO, NamedEarthquake, ObjectRequest,
@@ -70,11 +72,12 @@ pub fn object_report(result: ObjectResult) -> ObjectReport {
         item,
         at_one: AtScale { found, tally, .. },
         scales,
-        study_warnings: mut warnings,
+        study_doubts: of_study,
         unlikely_sizes,
         row_doubts,
         unused,
     } = result;
+    let mut warnings = study_doubts(&of_study);
     warnings.extend(unlikely_sizes.iter().map(unlikely_size));
     warnings.extend(row_doubts);
     warnings.extend(unused.into_iter().map(|one| has_no_effect(one).to_owned()));
@@ -555,10 +558,9 @@ fn assumptions(
     let is_free = around.casters == Some(Casters::Free);
     let names_wall = around.has_wall();
     let is_at_wall = found.at_wall.is_some();
-    let mut said: Vec<String> = study
-        .assumed_at(item.level_ratio.unwrap_or(0.0), request.units)
-        .collect();
-    said.extend(study.two_spectra_words());
+    let mut said: Vec<String> =
+        assumed_at(study, item.level_ratio.unwrap_or(0.0), request.units).collect();
+    said.extend(two_spectra(study));
     said.extend(near_fault_words(study));
     let is_on_hull = found.model == Some(ObjectModel::Hull);
     said.push(match (object.cg_height_m, object.width_m) {
@@ -645,6 +647,6 @@ fn building_words(study: &Study, units: UnitSystem) -> Option<String> {
         "{}{storey}, first period {} s by {}",
         counted(building.storeys, "storey"),
         number(building.along.period_s(), 3),
-        building.period_note
+        period_from(&building.period_from)
     ))
 }

@@ -19,6 +19,7 @@ use freestand_assess::restrain::{Case, HeldItem, RestraintDoubt};
 use freestand_assess::restraint::force::RestraintForce;
 use freestand_study::target::Target;
 
+use crate::doubts::place_doubt;
 use crate::signature::{ON_A_SHEET, SIGNATURE_CSS, Signing, signature};
 
 /// The style of this report, added to that of a one-page report.
@@ -234,7 +235,7 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
         .and_then(|place| place.doubt());
     let mut notes: Vec<String> = source
         .into_iter()
-        .chain(doubt.map(|doubt| sentence(&doubt)))
+        .chain(doubt.map(|doubt| sentence(&place_doubt(&doubt))))
         .collect();
     notes.extend(assumptions(case));
     let lifts_nothing = case.doubts.contains(&RestraintDoubt::NoTension);

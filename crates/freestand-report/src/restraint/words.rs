@@ -13,7 +13,7 @@ use freestand_study::building::DEFAULT_STOREY_HEIGHT_M;
 use freestand_study::target::Target;
 
 use super::force::{factor_source, names, symbol};
-use crate::doubts::unlikely_size;
+use crate::doubts::{target_doubt, unlikely_size};
 
 /// Where an object stands: its floor, its height over that of the building; empty where the given
 /// acceleration is that of its floor.
@@ -90,7 +90,7 @@ pub(super) const NO_TENSION: &str = "No tension does not mean that the object st
 /// What there is to know beside a force.
 pub(super) fn doubt_words(doubt: &RestraintDoubt) -> String {
     match doubt {
-        RestraintDoubt::Hazard(words) => words.clone(),
+        RestraintDoubt::Hazard(doubt) => target_doubt(doubt),
         RestraintDoubt::Size(size) => unlikely_size(size),
         RestraintDoubt::NoEffect(key) => format!(
             "`{key}` has no effect: the clauses for parts use no long periods of the spectrum"

@@ -19,6 +19,7 @@ use freestand::{G0_M_S2, impact::Landing};
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
 use freestand_records::horizontal::HorizontalMotion;
+use freestand_study::building::PeriodFrom;
 use freestand_study::cushion::{self, EdgeCushion};
 use freestand_study::result::{
     ExampleHistory, FloorProfile, GroundMotion, LevelResult, ObjectResponse, PseudoSpectrum,
@@ -27,7 +28,7 @@ use freestand_study::result::{
 use freestand_study::statistics::object_statistics;
 use freestand_study::study::{
     BuildingInput, Ground, HistoryChoice, Level, Objects, Outputs, RecordedMotion, Study,
-    SyntheticGround, TitleBlock, VerticalTarget,
+    StudyDoubt, SyntheticGround, TitleBlock, VerticalTarget,
 };
 use freestand_study::target::CodeParts;
 use freestand_study::target::Target;
@@ -70,10 +71,10 @@ pub(super) fn study() -> Study {
             across: None,
             along: Building::beam(2.74, 0.05, 5.0, 5).unwrap(),
             period_code: None,
-            period_note: "AS 1170.4, concrete moment frame of 90 m".into(),
-            across_note: None,
+            period_from: PeriodFrom::Given,
+            across_from: None,
             tables: Vec::new(),
-            warnings: Vec::new(),
+            doubts: Vec::new(),
         }),
         vertical_amplification_ratio: 1.0,
         floors: Vec::new(),
@@ -116,7 +117,9 @@ pub(super) fn study() -> Study {
                 thickness_m: 0.3,
             }),
         },
-        warnings: vec!["the building is a uniform beam".into()],
+        doubts: vec![StudyDoubt::OfRecords(
+            "the building is a uniform beam".into(),
+        )],
     }
 }
 
@@ -201,10 +204,10 @@ pub(super) fn result(study: &Study) -> StudyResult {
         levels,
         history: Some(history),
         sensitivity: None,
-        warnings: vec![
+        doubts: vec![StudyDoubt::OfRecords(
             "12 objects of 130 need more friction than 0.5 under some motion: they may slide"
                 .into(),
-        ],
+        )],
     }
 }
 

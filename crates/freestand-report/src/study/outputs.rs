@@ -4,8 +4,11 @@ use std::path::PathBuf;
 
 use rayon::prelude::*;
 
+use crate::doubts::study_doubts;
 use crate::figures::figures;
 use crate::study::page::report;
+use crate::study::sensitivity::VariedRow;
+use crate::study::summary::{SCHEMA, Summary};
 use crate::study::tables::{profile_table, srs_table, statistics_table, urs_table};
 use freestand::code_spectrum::{CodeSpectrum, OutOfRange, PeriodCode};
 use freestand_input::problem::{Problem, Problems};
@@ -23,7 +26,7 @@ use freestand_study::rerun::{
 };
 use freestand_study::result::{LevelResult, StudyResult};
 use freestand_study::study::{Ground, Level, Study};
-use freestand_study::summary::{LevelSummary, SCHEMA, Summary, level_summaries};
+use freestand_study::summary::{LevelSummary, level_summaries};
 
 /// What was written.
 #[derive(Debug, Clone)]
@@ -107,7 +110,7 @@ pub fn write_outputs(
     };
     files.push((
         "summary.json".to_owned(),
-        document(SCHEMA, &summary, &result.warnings)?.into_bytes(),
+        document(SCHEMA, &summary, &study_doubts(&result.doubts))?.into_bytes(),
     ));
 
     files.sort_unstable_by(|a, b| a.0.cmp(&b.0));
@@ -137,7 +140,8 @@ fn results(study: &Study, result: &StudyResult) -> Result<Vec<(&'static str, Tab
         tables.push(("floor_profile", profile_table(study, profile)?));
     }
     if let Some(sensitivity) = &result.sensitivity {
-        tables.push(("vary", table_of_records(&sensitivity.rows)?));
+        let rows: Vec<VariedRow> = sensitivity.rows.iter().map(VariedRow).collect();
+        tables.push(("vary", table_of_records(&rows)?));
     }
     Ok(tables)
 }

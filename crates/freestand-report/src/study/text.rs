@@ -4,6 +4,7 @@ use freestand_input::words::counted;
 use freestand_study::result::{Sensitivity, VariedLevel};
 use freestand_study::summary::LevelSummary;
 
+use crate::doubts::{no_result, not_varied};
 use crate::table::{optional, table};
 
 /// The levels of a study, and how long it took.
@@ -64,7 +65,7 @@ pub fn sensitivity_text(sensitivity: &Sensitivity) -> String {
             let changed = match &row.reason {
                 _ if row.value.is_empty() => "unchanged".to_owned(),
                 None => format!("{} = {}", row.parameter, row.value),
-                Some(reason) => format!("{} = {}: {reason}", row.parameter, row.value),
+                Some(why) => format!("{} = {}: {}", row.parameter, row.value, no_result(why)),
             };
             vec![
                 changed,
@@ -91,8 +92,8 @@ pub fn sensitivity_text(sensitivity: &Sensitivity) -> String {
     text.push_str(
         "shock ratio: sum of the median shocks divided by that of the unchanged study, without objects that overturn in either\n",
     );
-    for reason in &sensitivity.left_out {
-        text.push_str(reason);
+    for left_out in &sensitivity.left_out {
+        text.push_str(&not_varied(left_out));
         text.push('\n');
     }
     text

@@ -1,20 +1,20 @@
 //! Buildings: their modes from periods or from tables in files, and their description in words.
 
+mod doubt;
 mod words;
 
 use std::path::{Path, PathBuf};
 
-use freestand::building::{
-    Building, BuildingError, Damping, ModalDoubt, Mode, ModeQuantity, Model,
-};
+use freestand::building::{Building, BuildingError, Damping, Mode, ModeQuantity, Model};
 use freestand::code_spectrum::PeriodCode;
 
 use freestand_input::file::{InputFile, file_name};
 use freestand_input::problem::Problem;
 use freestand_input::words::{counted, number, percent};
-use freestand_output::answer;
+use freestand_output::answer_of;
 use freestand_records::tables::{load_table, read_modes, read_storeys};
 
+pub use doubt::{BuildingDoubt, PeriodFrom};
 pub(crate) use words::axis_key;
 pub(crate) use words::{GivenStoreys, resolve_with};
 pub use words::{MAX_STOREYS, resolve};
@@ -69,8 +69,8 @@ pub struct Axis {
     pub height_m: Option<f64>,
     /// The table that it was read from, if any.
     pub table: Option<BuildingTable>,
-    /// Warnings.
-    pub warnings: Vec<String>,
+    /// What may be wrong with it.
+    pub doubts: Vec<BuildingDoubt>,
 }
 
 /// A table that a building was read from.
@@ -101,28 +101,19 @@ pub struct BuildingInput {
     pub along: Building,
     /// Its modes along the second; `None`: as along the first.
     pub across: Option<Building>,
-    /// The source of the period, in words for the report.
-    pub period_note: String,
+    /// What the period is from.
+    pub period_from: PeriodFrom,
     /// The code whose formula gave a period, if one did.
     pub period_code: Option<PeriodCode>,
     /// The same for the second axis, if it has its own.
-    pub across_note: Option<String>,
+    pub across_from: Option<PeriodFrom>,
     /// The tables that it was read from.
     pub tables: Vec<BuildingTable>,
-    /// Warnings.
-    pub warnings: Vec<String>,
+    /// What may be wrong with it.
+    pub doubts: Vec<BuildingDoubt>,
 }
 
 impl BuildingInput {
-    /// What is said of it where a study states no building.
-    pub fn assumed_words(&self) -> String {
-        format!(
-            "[building] states no storeys: the building is the built-in one, with {} storeys and {} m high; give storeys",
-            self.storeys,
-            number(self.height_m, 4)
-        )
-    }
-
     /// Zeros to append to a ground motion so that the floors ring down along both axes \[s\].
     pub fn tail_s(&self) -> f64 {
         self.across
@@ -151,7 +142,7 @@ pub fn axis(request: &AxisRequest) -> Result<Axis, Problem> {
                 building,
                 height_m: None,
                 table: None,
-                warnings: Vec::new(),
+                doubts: Vec::new(),
             })
         }
         AxisModel::StoreyTable(path) => {
@@ -173,12 +164,8 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             _ => refused(&error),
         })?;
     let heights_m: Vec<f64> = table.storeys.iter().map(|storey| storey.height_m).collect();
-    let warnings = look_like_elevations(&heights_m).then(|| {
-        format!(
-            "{}: the heights change from row to row by nearly the same step, like elevations above the ground; give \
-             the height of each storey itself",
-            file_name(path).unwrap_or_default()
-        )
+    let doubt = look_like_elevations(&heights_m).then(|| BuildingDoubt::LooksLikeElevations {
+        file: file_name(path).unwrap_or_default(),
     });
     let file = InputFile::new(path, &text);
     Ok(Axis {
@@ -191,7 +178,7 @@ fn storeys(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             states_damping: false,
             is_across: false,
         }),
-        warnings: warnings.into_iter().collect(),
+        doubts: doubt.into_iter().collect(),
     })
 }
 
@@ -252,11 +239,12 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
         })?;
     let name = file_name(path).unwrap_or_default();
     let states_damping = table.modes.iter().all(|mode| mode.damping_ratio.is_some());
-    let warnings = building
-        .doubts()
-        .into_iter()
-        .map(|doubt| format!("{name}: {}", doubt_words(doubt)))
-        .collect();
+    let doubts = building.doubts().into_iter();
+    let doubts = doubts.map(|doubt| BuildingDoubt::Modes {
+        file: name.clone(),
+        doubt,
+    });
+    let doubts = doubts.collect();
     Ok(Axis {
         building,
         height_m: Some(roof_m),
@@ -267,7 +255,7 @@ fn modes(path: &Path, request: &AxisRequest) -> Result<Axis, Problem> {
             states_damping,
             is_across: false,
         }),
-        warnings,
+        doubts,
     })
 }
 
@@ -306,25 +294,6 @@ fn refused(error: &BuildingError) -> Problem {
     Problem::value(error.to_string(), hint)
 }
 
-fn doubt_words(doubt: ModalDoubt) -> String {
-    match doubt {
-        ModalDoubt::EffectiveMass { sum_ratio } if sum_ratio > 1.0 => format!(
-            "the effective masses of the modes add up to {} of the mass: check that all modes belong to one direction",
-            percent(sum_ratio, 1)
-        ),
-        ModalDoubt::EffectiveMass { sum_ratio } => format!(
-            "the effective masses of the modes add up to {} of the mass, while codes usually require 90 %: export \
-             more modes; the rest of the mass follows the ground",
-            percent(sum_ratio, 1)
-        ),
-        ModalDoubt::RoofShare { sum_ratio } => format!(
-            "participation times shape adds up to {} at the roof instead of 1: take both from one export, in the \
-             same units and direction",
-            number(sum_ratio, 4)
-        ),
-    }
-}
-
 /// The kind of building, in words.
 pub fn model_words(building: &Building) -> String {
     match building.model() {
@@ -344,19 +313,20 @@ pub fn model_words(building: &Building) -> String {
     }
 }
 
-answer! {
-    /// A mode of a building.
-    pub struct ModeReport of (mode: &Mode) {
-        /// Of vibration.
-        period_s: f64 = mode.period_s();
-        /// Of critical damping.
-        damping_ratio: f64 = mode.damping_ratio();
-        /// Γ.
-        participation_ratio: f64 = mode.participation_ratio();
-        /// The share of the mass, where masses are known.
-        effective_mass_ratio: Option<f64> = mode.effective_mass_ratio();
-    }
-}
+/// A mode of a building.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ModeReport(pub Mode);
+
+answer_of!(ModeReport as mode {
+    /// Of vibration.
+    period_s: f64 = mode.0.period_s();
+    /// Of critical damping.
+    damping_ratio: f64 = mode.0.damping_ratio();
+    /// Γ.
+    participation_ratio: f64 = mode.0.participation_ratio();
+    /// The share of the mass, where masses are known.
+    effective_mass_ratio: Option<f64> = mode.0.effective_mass_ratio();
+});
 
 /// One ratio, or those of the first and the last mode.
 pub fn damping_words(building: &Building) -> String {
@@ -373,6 +343,8 @@ pub fn damping_words(building: &Building) -> String {
 
 #[cfg(test)]
 mod tests {
+    use freestand::building::ModalDoubt;
+
     use super::*;
 
     fn request(model: AxisModel) -> AxisRequest {
@@ -439,13 +411,16 @@ mod tests {
     fn doubtful_modes_are_said() {
         let (_folder, path) = file("period [s],participation,effective mass [%],3 m\n1,1.9,78,1\n");
         let axis = axis(&request(AxisModel::ModeTable(path))).unwrap();
-        let [mass, roof] = axis.warnings.as_slice() else {
-            panic!("{:?}", axis.warnings)
+        let of_table = |doubt| BuildingDoubt::Modes {
+            file: "tower.csv".to_owned(),
+            doubt,
         };
-        assert!(
-            mass.contains(
-                "tower.csv: the effective masses of the modes add up to 78.0 % of the mass"
-            ) && roof.contains("adds up to 1.9 at")
+        assert_eq!(
+            axis.doubts,
+            [
+                of_table(ModalDoubt::EffectiveMass { sum_ratio: 0.78 }),
+                of_table(ModalDoubt::RoofShare { sum_ratio: 1.9 })
+            ]
         );
     }
 
@@ -498,7 +473,7 @@ mod tests {
             let (_folder, path) = file(&format!("height [m],mass [t],stiffness [kN/mm]\n{rows}"));
             axis(&request(AxisModel::StoreyTable(path)))
                 .unwrap()
-                .warnings
+                .doubts
                 .len()
         };
         for elevations in [

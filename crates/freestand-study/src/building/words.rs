@@ -10,8 +10,9 @@ use freestand_input::quantity::{Dimension, format_si, shorten};
 use freestand_input::word_reader::WordReader;
 
 use super::{
-    Axis, AxisModel, AxisRequest, BuildingInput, BuildingTable, DEFAULT_DAMPING_RATIO,
-    DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
+    Axis, AxisModel, AxisRequest, BuildingDoubt, BuildingInput, BuildingTable,
+    DEFAULT_DAMPING_RATIO, DEFAULT_SHEAR_FLEXURE_RATIO, DEFAULT_STOREY_HEIGHT_M, DEFAULT_STOREYS,
+    PeriodFrom,
 };
 
 /// Largest number of storeys of a building.
@@ -128,7 +129,7 @@ fn building(
     }
     // Resolved even if the first is wrong, so that the problems of both are reported at once.
     let second = across.map(|across| across.resolve(reader, 1, height_m, code));
-    let states_damping = |axis: Option<&(Axis, String)>| {
+    let states_damping = |axis: Option<&(Axis, PeriodFrom)>| {
         axis.is_some_and(|(axis, _)| {
             axis.table
                 .as_ref()
@@ -153,10 +154,10 @@ fn building(
             }
         }
     }
-    let (first, period_note) = first?;
-    let (second, across_note) = match second {
+    let (first, period_from) = first?;
+    let (second, across_from) = match second {
         None => (None, None),
-        Some(second) => second.map(|(axis, note)| (Some(axis), Some(note)))?,
+        Some(second) => second.map(|(axis, from)| (Some(axis), Some(from)))?,
     };
     if let Some(other_m) = second.as_ref().and_then(|axis| axis.height_m)
         && (other_m - height_m).abs() > 1e-3 * height_m
@@ -173,23 +174,19 @@ fn building(
         return None;
     }
     let mut tables = Vec::from_iter(first.table);
-    let mut warnings = first.warnings;
+    let mut doubts = first.doubts;
     if let Some(greatest_m) = code
         .greatest_height_m()
         .filter(|greatest_m| has_formula && height_m > *greatest_m)
     {
-        let [height, greatest] =
-            [height_m, greatest_m].map(|height_m| format_si(height_m, Dimension::Length));
-        warnings.push(format!(
-            "the period is by {}, which is for buildings up to {greatest}; this one is {height} high: give its period",
-            code.clause()
-        ));
+        doubts.push(BuildingDoubt::TooHigh {
+            code,
+            greatest_m,
+            height_m,
+        });
     }
     if code == PeriodCode::Nzs1170_5 && has_formula {
-        warnings.push(format!(
-            "the formula of {} for the period was not checked against its text: confirm it",
-            code.clause()
-        ));
+        doubts.push(BuildingDoubt::FormulaUnread(code));
     }
     if let Some(axis) = &second {
         // A table that the second axis inherits is listed once, with the first.
@@ -201,7 +198,7 @@ fn building(
             is_across: true,
             ..table
         }));
-        warnings.extend(axis.warnings.clone());
+        doubts.extend(axis.doubts.clone());
     }
     Some(BuildingInput {
         storeys,
@@ -209,11 +206,11 @@ fn building(
         storey_height_m: first.height_m.is_none().then_some(storey_height_m),
         along: first.building,
         across: second.map(|axis| axis.building),
-        period_note,
+        period_from,
         period_code: has_formula.then_some(code),
-        across_note,
+        across_from,
         tables,
-        warnings,
+        doubts,
     })
 }
 
@@ -291,38 +288,33 @@ impl AxisWords {
         self
     }
 
-    /// The axis, and the source of its period.
+    /// The axis, and what its period is from.
     fn resolve(
         self,
         reader: &mut WordReader,
         axis: usize,
         height_m: f64,
         code: PeriodCode,
-    ) -> Option<(Axis, String)> {
-        let (model, name, note) = match (self.table, self.period_s) {
-            (Some(table @ AxisModel::StoreyTable(_)), _) => (
-                table,
-                "storey_table",
-                "from the storeys of the table".to_owned(),
-            ),
-            (Some(table), _) => (table, "mode_table", "from the table".to_owned()),
+    ) -> Option<(Axis, PeriodFrom)> {
+        let (model, name, from) = match (self.table, self.period_s) {
+            (Some(table @ AxisModel::StoreyTable(_)), _) => {
+                (table, "storey_table", PeriodFrom::Storeys)
+            }
+            (Some(table), _) => (table, "mode_table", PeriodFrom::Modes),
             (None, given) => {
-                let kind = self.frame.unwrap_or(FrameKind::Other);
-                let (formula, height) =
-                    (code.formula(kind), format_si(height_m, Dimension::Length));
+                let frame = self.frame.unwrap_or(FrameKind::Other);
                 let by_code = || {
-                    formula.period_s(height_m).map_err(|error| {
+                    code.formula(frame).period_s(height_m).map_err(|error| {
                         Problem::value(error.to_string(), "give `period`, or another height")
                     })
                 };
                 let period_s = given.or_else(|| reader.keep("storey_height", by_code()))?;
-                let note = given.map_or_else(
-                    || {
-                        let (clause, words, frame) = (code.clause(), formula.words(), kind.name());
-                        format!("{clause}: T = {words} with H = {height} (frame \"{frame}\")")
-                    },
-                    |_| "as given".to_owned(),
-                );
+                let by_formula = PeriodFrom::Formula {
+                    code,
+                    frame,
+                    height_m,
+                };
+                let from = given.map_or(by_formula, |_| PeriodFrom::Given);
                 let shear_flexure_ratio = self
                     .shear_flexure_ratio
                     .unwrap_or(DEFAULT_SHEAR_FLEXURE_RATIO);
@@ -337,7 +329,7 @@ impl AxisWords {
                         shear_flexure_ratio,
                     },
                     name,
-                    note,
+                    from,
                 )
             }
         };
@@ -361,7 +353,7 @@ impl AxisWords {
         let found = reader
             .problems
             .keep(found.map_err(|problem| problem.of(&[key])))?;
-        Some((found, note))
+        Some((found, from))
     }
 }
 

@@ -110,7 +110,7 @@ answer! {
 
     /// A mode of the building.
     pub struct FloorMode of (mode: &Mode) {
-        mode: ModeReport = ModeReport::of(mode) => flat;
+        mode: ModeReport = ModeReport(mode.clone()) => flat;
         /// Γφ at the roof.
         roof_share_ratio: f64 = mode.share_ratio(1.0);
     }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::building::PeriodFrom;
 use crate::recorded::{MotionFiles, Second, read_recorded};
 use freestand_records::formats::ReadOptions;
 
@@ -13,11 +14,11 @@ fn request(along: Building, across: Option<Building>) -> FloorRequest {
         storey_height_m: Some(3.0),
         along,
         across,
-        period_note: String::new(),
+        period_from: PeriodFrom::Given,
         period_code: None,
-        across_note: None,
+        across_from: None,
         tables: Vec::new(),
-        warnings: Vec::new(),
+        doubts: Vec::new(),
     };
     FloorRequest {
         building,

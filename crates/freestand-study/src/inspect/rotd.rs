@@ -5,6 +5,7 @@ use freestand::signal::rotate::{Pair, directional_spectrum};
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
+use crate::doubt::MotionDoubt;
 use crate::pair::ReadPair;
 use freestand_input::problem::Problem;
 use freestand_output::rows::table_of_columns;
@@ -48,7 +49,7 @@ pub struct RotdReport {
     /// What was done to each component, one step each.
     pub processing: [Vec<String>; 2],
     #[serde(skip)]
-    pub warnings: Vec<String>,
+    pub doubts: Vec<MotionDoubt>,
 }
 
 /// RotDnn: at each period, the percentile of the pseudo-acceleration over all directions.
@@ -82,19 +83,12 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
         })?;
     let in_g = |values: &[f64]| values.iter().map(|a| a / G0_M_S2).collect::<Vec<f64>>();
     let ranked = request.percentiles.iter().zip(&spectrum.rotd_m_s2);
-    let mut warnings = read.warnings();
-    let notes = [&one, &two].into_iter().flat_map(|done| &done.notes);
-    warnings.extend(
-        not_perpendicular(first, second)
-            .iter()
-            .chain(notes)
-            .map(Note::to_string),
-    );
-    warnings.extend(short_period_warning(
-        "the spectrum",
-        &request.periods_s,
-        one.motion.dt_s(),
-    ));
+    let processed = [&one, &two].into_iter().flat_map(|done| &done.notes);
+    let askew = not_perpendicular(first, second);
+    let noted = askew.iter().chain(processed).map(Note::to_string);
+    let few = short_period_warning("the spectrum", &request.periods_s, one.motion.dt_s());
+    let notes = read.notes().into_iter().chain(noted).chain(few);
+    let doubts = notes.map(MotionDoubt::OfRecords).collect();
     Ok(RotdReport {
         paths: read
             .files
@@ -115,7 +109,7 @@ pub fn rotd(read: &ReadPair, request: &RotdRequest) -> Result<RotdReport, Proble
         larger_g: in_g(&spectrum.larger_m_s2),
         geometric_mean_g: in_g(&spectrum.geometric_mean_m_s2),
         processing: [one.steps, two.steps],
-        warnings,
+        doubts,
     })
 }
 

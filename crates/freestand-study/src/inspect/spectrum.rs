@@ -6,13 +6,14 @@ use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::doubt::MotionDoubt;
 use crate::inspect::DampedSpectrum;
 use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
 use freestand_records::notes::Note;
-use freestand_records::processing::{few_steps, samples_needed};
+use freestand_records::processing::samples_needed;
 
 /// A response spectrum to compute.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +47,7 @@ pub struct SpectrumReport {
     /// The spectra at the other dampings.
     pub more: Vec<DampedSpectrum>,
     #[serde(skip)]
-    pub warnings: Vec<String>,
+    pub doubts: Vec<MotionDoubt>,
 }
 
 /// Checks that a motion of so many samples can be upsampled by `factor`; 0 and 1 change nothing.
@@ -101,12 +102,15 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
     let first = all.next().ok_or_else(|| {
         Problem::value("a spectrum needs a damping ratio", "give one, such as 5 %")
     })?;
-    let mut warnings: Vec<String> = read.notes.iter().map(Note::to_string).collect();
-    warnings.extend(short_period_note(
-        &request.periods_s,
-        recorded.motion.dt_s(),
-        request.upsample,
-    ));
+    let notes = read.notes.iter().map(Note::to_string);
+    let (dt_s, upsample) = (recorded.motion.dt_s(), request.upsample);
+    let few = samples_needed(&request.periods_s, dt_s, upsample);
+    let few = few.map(|(shortest_s, needed)| MotionDoubt::FewSteps {
+        shortest_s,
+        dt_s,
+        upsample,
+        needed,
+    });
     Ok(SpectrumReport {
         path: recorded.path.to_string_lossy().into_owned(),
         name: recorded.name.clone(),
@@ -116,23 +120,8 @@ pub fn spectrum(read: &ReadMotion, request: &SpectrumRequest) -> Result<Spectrum
         periods_s: request.periods_s.clone(),
         first,
         more: all.collect(),
-        warnings,
+        doubts: notes.map(MotionDoubt::OfRecords).chain(few).collect(),
     })
-}
-
-/// A warning about periods with fewer than ten samples, with the upsampling that gives ten.
-fn short_period_note(periods_s: &[f64], dt_s: f64, upsample: usize) -> Option<String> {
-    let (shortest_s, needed) = samples_needed(periods_s, dt_s, upsample)?;
-    let given = if upsample > 1 {
-        format!(", in {upsample} parts each")
-    } else {
-        String::new()
-    };
-    Some(format!(
-        "{}{given}: the spectrum is inaccurate there, because peaks between samples are missed; `upsample = \
-         {needed}` would give it ten",
-        few_steps("the shortest period", shortest_s, dt_s)
-    ))
 }
 
 impl SpectrumReport {

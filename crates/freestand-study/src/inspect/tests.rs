@@ -6,6 +6,7 @@ use freestand::motion::Motion;
 use freestand::signal::resample::MAX_LENGTH;
 
 use super::*;
+use crate::doubt::MotionDoubt;
 use crate::pair::{PairFiles, read_pair};
 use crate::recorded::{MotionFiles, ReadMotion};
 use freestand_records::formats::ReadOptions;
@@ -211,24 +212,26 @@ fn read(dt_s: f64, accel: Vec<f64>) -> ReadMotion {
 }
 
 #[test]
-fn short_periods_are_warned_about_unless_there_are_samples_enough() {
+fn short_periods_are_doubted_unless_there_are_samples_enough() {
     let motion = read(0.02, vec![0.0, 1.0, 0.0, -1.0, 0.0]);
-    let warnings = |periods: &[f64], upsample| {
+    let doubts = |periods: &[f64], upsample| {
         let request = SpectrumRequest {
             damping_ratios: vec![0.05],
             periods_s: periods.to_vec(),
             upsample,
         };
-        spectrum(&motion, &request).unwrap().warnings
+        spectrum(&motion, &request).unwrap().doubts
     };
     // Ten steps of 0.02 s are 0.2 s; half of that needs twice the samples.
-    assert!(warnings(&[0.0, 0.2, 1.0], 1).is_empty());
-    let found = warnings(&[0.1, 1.0], 1);
-    assert!(
-        found[0].contains("0.1 s") && found[0].contains("`upsample = 2`"),
-        "{found:?}"
-    );
-    assert!(warnings(&[0.1, 1.0], 2).is_empty());
+    assert_eq!(doubts(&[0.0, 0.2, 1.0], 1), []);
+    let few = MotionDoubt::FewSteps {
+        shortest_s: 0.1,
+        dt_s: 0.02,
+        upsample: 1,
+        needed: 2.0,
+    };
+    assert_eq!(doubts(&[0.1, 1.0], 1), [few]);
+    assert_eq!(doubts(&[0.1, 1.0], 2), []);
 }
 
 /// A sine of 20 Hz in 100 samples a second, fading in and out, resonates at T = 0.05 s: PSA near
@@ -297,25 +300,26 @@ fn short_periods_over_directions_are_warned_of_too() {
         components: None,
     });
     let pair = pair.unwrap();
-    let warnings = |period_s: f64| {
+    let doubts = |period_s: f64| {
         let request = RotdRequest {
             damping_ratio: 0.05,
             periods_s: vec![0.0, period_s],
             percentiles: vec![50.0],
         };
-        rotd(&pair, &request).unwrap().warnings
+        rotd(&pair, &request).unwrap().doubts
     };
-    assert!(warnings(0.1).is_empty());
-    assert!(
-        warnings(0.09)[0]
-            .starts_with("the shortest period of the spectrum, 0.09 s, has fewer than ten steps")
-    );
+    assert_eq!(doubts(0.1), []);
+    assert!(matches!(
+        &doubts(0.09)[..],
+        [MotionDoubt::OfRecords(words)]
+            if words.starts_with("the shortest period of the spectrum, 0.09 s, has fewer than ten steps")
+    ));
 }
 
 /// Two files with one component each, of the same name: the steps of each are listed once, under
 /// the name of its file.
 #[test]
-fn pair_warnings_are_said_once_with_their_files() {
+fn notes_of_a_pair_are_said_once_with_their_files() {
     let folder = tempfile::tempdir().unwrap();
     let short = "time [s],a0 [g]\n0,0\n0.01,0.3\n0.02,0\n";
     let long = "time [s],a0 [g]\n0,0\n0.01,0.4\n0.02,0\n0.03,0.1\n";
@@ -332,7 +336,7 @@ fn pair_warnings_are_said_once_with_their_files() {
     };
     let report = rotd(&pair, &request).unwrap();
     let said = "last sample of a0 of e.csv left out: the other component ends earlier";
-    assert_eq!(report.warnings, [said]);
+    assert_eq!(report.doubts, [MotionDoubt::OfRecords(said.to_owned())]);
     assert_eq!(report.processing, [vec![], vec![said.to_owned()]]);
 }
 

@@ -2,16 +2,17 @@
 
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    GENERATOR, MatchedMotion, Misfit, Resemblance, SHORTEST_PERIOD_S, SynthesisError,
-    SynthesisOptions, match_by_wavelets, match_motion, synthesize, with_pga,
+    MatchedMotion, Misfit, Resemblance, SynthesisError, SynthesisOptions, match_by_wavelets,
+    match_motion, synthesize, with_pga,
 };
 use rayon::prelude::*;
 
 use crate::simulated::source_problem;
-use crate::target::Target;
+use crate::target::{Target, TargetDoubt};
 use freestand_input::problem::{Problem, ProblemKind, Problems};
-use freestand_input::words::{number, significant};
+use freestand_input::words::number;
 use freestand_output::answer_of;
+use strum::EnumCount;
 
 /// How the spectrum of a record is matched to the target.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, strum::EnumString, strum::IntoStaticStr)]
@@ -116,7 +117,8 @@ pub struct FitReport {
     pub target: Target,
     /// Seed of synthetic motions.
     pub seed: Option<u64>,
-    method: MatchMethod,
+    /// How their spectra are matched.
+    pub method: MatchMethod,
     /// The motions.
     pub motions: Vec<FittedMotion>,
 }
@@ -214,51 +216,59 @@ pub fn match_one(
     })
 }
 
-/// The warning that the peaks of motions are above that of their target.
-pub(crate) fn peak_warning<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Option<String> {
+/// The largest peak of motions over that of their target, where that is more than it may be.
+pub(crate) fn high_peak_ratio<'a>(misfits: impl Iterator<Item = &'a Misfit>) -> Option<f64> {
     let above = misfits.map(|misfit| misfit.pga_g / misfit.target_zpa_g);
-    let most = above
+    above
         .reduce(f64::max)
-        .filter(|most| *most > HIGH_PEAK_RATIO)?;
-    Some(format!(
-        "the PGA of the matched motions is up to {most:.2} times the target's zero-period acceleration: their spectra \
-         are matched only at periods of {SHORTEST_PERIOD_S} s and longer, and a motion with this plateau cannot have \
-         such a small peak"
-    ))
+        .filter(|most| *most > HIGH_PEAK_RATIO)
+}
+
+/// Something that the reader of motions that fit a target must know.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum FitDoubt {
+    /// About the target.
+    Target(TargetDoubt),
+    /// A motion does not fit it.
+    Poor {
+        /// The motion.
+        name: String,
+        /// How far it is from it.
+        misfit: Misfit,
+    },
+    /// The peaks are up to so many times that of the target.
+    HighPeak(f64),
+    /// Half-cycles were scaled to its peak.
+    PeakScaled {
+        /// The rms misfit of the first motion before.
+        before_ratio: f64,
+        /// And after.
+        after_ratio: f64,
+    },
 }
 
 impl FitReport {
-    /// The warnings of the target, and about motions that do not fit it.
-    pub fn warnings(&self) -> Vec<String> {
-        let percent = |ratio: f64, digits| significant(100.0 * ratio, digits);
+    /// What is known of the target, and about motions that do not fit it.
+    pub fn doubts(&self) -> Vec<FitDoubt> {
         let poor = self
             .motions
             .iter()
-            .filter(|one| one.misfit.rms_ratio > POOR_FIT_RATIO)
-            .map(|one| {
-                format!(
-                    "{} does not fit its target: rms misfit {} %, worst {} % at {} s",
-                    one.name,
-                    percent(one.misfit.rms_ratio, 3),
-                    percent(one.misfit.worst_ratio, 3),
-                    significant(one.misfit.worst_period_s, 3)
-                )
-            });
-        let scaled = self.motions.first().and_then(|one| {
-            Some(format!(
-                "half-cycles were scaled to give the PGA of the target; this changed the rms misfit of the first \
-                 motion from {} % to {} %",
-                percent(one.before_pga?.rms_ratio, 2),
-                percent(one.misfit.rms_ratio, 2)
-            ))
+            .filter(|one| one.misfit.rms_ratio > POOR_FIT_RATIO);
+        let poor = poor.map(|one| FitDoubt::Poor {
+            name: one.name.clone(),
+            misfit: one.misfit,
         });
-        let high = peak_warning(self.motions.iter().map(|one| &one.misfit));
-        self.target
-            .warnings
-            .iter()
-            .cloned()
+        let scaled = self.motions.first().and_then(|one| {
+            Some(FitDoubt::PeakScaled {
+                before_ratio: one.before_pga?.rms_ratio,
+                after_ratio: one.misfit.rms_ratio,
+            })
+        });
+        let high = high_peak_ratio(self.motions.iter().map(|one| &one.misfit));
+        let of_target = self.target.doubts.iter().cloned().map(FitDoubt::Target);
+        of_target
             .chain(poor)
-            .chain(high)
+            .chain(high.map(FitDoubt::HighPeak))
             .chain(scaled)
             .collect()
     }
@@ -292,16 +302,6 @@ impl FittedMotion {
         })
     }
 }
-
-answer_of!(FitReport as report {
-    target: &Target = &report.target => flat;
-    /// Of synthetic motions.
-    seed: Option<u64>;
-    /// Of the random numbers.
-    generator: Option<&'static str> = report.seed.map(|_| GENERATOR);
-    method: &'static str = report.method.name();
-    motions: Vec<&FittedMotion> = report.motions.iter().collect();
-});
 
 answer_of!(FittedMotion as one {
     name: String;

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::doubt::MotionDoubt;
 use crate::recorded::{MotionFiles, name_of, start_note};
 use freestand_input::file::file_name;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
@@ -165,7 +166,7 @@ impl ReadPair {
     }
 
     /// What the readers concluded or ignored, file by file.
-    pub fn warnings(&self) -> Vec<String> {
+    pub fn notes(&self) -> Vec<String> {
         let of = |file: &MotionFile| {
             let path = file.path.display().to_string();
             file.notes
@@ -197,8 +198,8 @@ pub struct Rotated {
     pub azimuth_deg: f64,
     /// The motion, and what was done.
     pub processed: Processed,
-    /// What the readers concluded or ignored, and warnings of the processing.
-    pub warnings: Vec<String>,
+    /// What the readers concluded or ignored, and what was noted of the processing.
+    pub doubts: Vec<MotionDoubt>,
 }
 
 /// Turns a pair to an azimuth and processes it.
@@ -223,13 +224,14 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
         .first()
         .map(|file| file.path.clone())
         .unwrap_or_default();
-    let mut warnings = read.warnings();
+    let mut notes = read.notes();
     let start =
         |file: &MotionFile| start_note(file).map(|note| format!("{}: {note}", file.path.display()));
-    warnings.extend(read.files.iter().filter_map(start));
-    warnings.extend(processed.notes.iter().map(Note::to_string));
+    notes.extend(read.files.iter().filter_map(start));
+    notes.extend(processed.notes.iter().map(Note::to_string));
     let named = [(names.0, first), (names.1, second)];
-    warnings.extend(named.into_iter().filter_map(contradicted));
+    let notes = notes.into_iter().map(MotionDoubt::OfRecords);
+    let doubts = notes.chain(named.into_iter().filter_map(contradicted));
     let name = format!(
         "{}-{}deg",
         name_of(&path),
@@ -240,21 +242,18 @@ pub fn rotate(read: &ReadPair, request: &RotateRequest) -> Result<Rotated, Probl
         path,
         azimuth_deg: request.azimuth_deg,
         processed,
-        warnings,
+        doubts: doubts.collect(),
     })
 }
 
 /// What a file says of a direction, where the request says otherwise.
-fn contradicted((name, (component, used_deg)): (&str, Bearing<'_>)) -> Option<String> {
+fn contradicted((name, (component, used_deg)): (&str, Bearing<'_>)) -> Option<MotionDoubt> {
     let stated_deg = azimuth_of(component)?;
     let turn_deg = (stated_deg - used_deg).rem_euclid(360.0);
-    (turn_deg.min(360.0 - turn_deg) > AZIMUTH_TOLERANCE_DEG).then(|| {
-        format!(
-            "{}: the file states {}°, and the given {}° is used",
-            shorten(name),
-            number(stated_deg, 6),
-            number(used_deg, 6)
-        )
+    (turn_deg.min(360.0 - turn_deg) > AZIMUTH_TOLERANCE_DEG).then(|| MotionDoubt::OtherDirection {
+        component: shorten(name).to_string(),
+        stated_deg,
+        used_deg,
     })
 }
 

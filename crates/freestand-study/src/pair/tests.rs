@@ -130,21 +130,27 @@ fn a_pair_is_turned_and_processed() {
         azimuths_deg: Some((0.0, 270.0)),
     };
     let west = rotate(&read, &west).unwrap();
-    let said: Vec<&String> = west
-        .warnings
-        .iter()
-        .filter(|one| one.contains('°'))
-        .collect();
-    assert_eq!(said.len(), 1, "{said:?}");
-    assert!(said[0].ends_with("the file states 90°, and the given 270° is used"));
+    let is_direction = |one: &&MotionDoubt| matches!(one, MotionDoubt::OtherDirection { .. });
+    let doubts: Vec<&MotionDoubt> = west.doubts.iter().filter(is_direction).collect();
+    assert!(
+        matches!(
+            doubts[..],
+            [MotionDoubt::OtherDirection {
+                stated_deg: 90.0,
+                used_deg: 270.0,
+                ..
+            }]
+        ),
+        "{doubts:?}"
+    );
     for same in [(0.0, 90.0), (359.8, 90.5), (360.0, 450.0)] {
         let request = RotateRequest {
             azimuth_deg: 0.0,
             azimuths_deg: Some(same),
         };
-        let turned = rotate(&read, &request).map(|turned| turned.warnings);
+        let turned = rotate(&read, &request).map(|turned| turned.doubts);
         // What is not perpendicular is refused.
-        assert!(!turned.is_ok_and(|all| all.iter().any(|one| one.contains("is used"))));
+        assert!(!turned.is_ok_and(|all| all.iter().any(|one| is_direction(&one))));
     }
     assert_eq!(
         (west.name.as_str(), west.azimuth_deg),

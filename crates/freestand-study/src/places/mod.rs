@@ -12,6 +12,7 @@ use freestand::code_spectrum::{NationalAnnex, NtcHazard, SpectrumType, TsSite, T
 use freestand_input::words::number;
 use freestand_output::answer_of;
 pub use freestand_records::tables::hazard::{Coordinates, NTC_YEARS};
+use strum::EnumCount;
 
 pub use derived::Derived;
 pub(crate) use derived::{CONVERTED_YEARS, NotDerived};
@@ -490,52 +491,55 @@ impl Place {
         format!("{}: {confidence}{derived}{away}", self.source)
     }
 
-    /// What the reader must know of a conversion.
-    pub fn derived_doubt(&self) -> Option<String> {
-        let derived = self.derived.filter(|one| one.between_years.is_none())?;
-        Some(format!(
-            "the hazard of {} at {} years is derived, not read: {}, for screening only; the synthetic motions \
-             of worlds draw a factor from this range",
-            self.name,
-            derived.years,
-            derived.words()
-        ))
-    }
-
     /// What the reader must know about its values.
-    pub fn doubt(&self) -> Option<String> {
-        let (name, words) = (&self.name, self.words());
+    pub fn doubt(&self) -> Option<PlaceDoubt> {
         let is_approximate = self.confidence == Confidence::Approximate;
-        let approximate = format!("the hazard of {name} ({words}) is approximate");
-        match self.hazard {
-            PlaceHazard::Shape { by, .. } => {
-                let why = match by {
-                    Some(by) => format!("that of {by} is not in the program"),
-                    None => "the file has the peak ground acceleration alone".to_owned(),
-                };
-                let shape = format!(
-                    "the spectrum of {name} has the shape of Eurocode 8, type 1, because {why}"
-                );
-                Some(if is_approximate {
-                    format!("{approximate}: confirm it before you rely on it; {shape}")
-                } else {
-                    shape
-                })
+        let why = match self.hazard {
+            PlaceHazard::Shape { by, .. } => WhyDoubted::Shape { by, is_approximate },
+            PlaceHazard::Eurocode8 { annex: None, .. } if is_approximate => {
+                WhyDoubted::AnnexNotRead
             }
-            PlaceHazard::Eurocode8 { annex: None, .. } if is_approximate => Some(format!(
-                "{approximate}, and the shape of its spectrum is the one that EN 1998-1 recommends, because the national \
-                 annex was not read: confirm it in the national annex before you rely on it"
-            )),
             PlaceHazard::Ntc2018 { at } if self.is_point() && is_near_the_border_of_italy(at) => {
-                Some(format!(
-                    "the grid of NTC 2018 reaches beyond the border: its values hold for {name} only if that is in Italy"
-                ))
+                WhyDoubted::PerhapsAbroad
             }
-            _ => is_approximate.then(|| {
-                format!("{approximate}: confirm it in the national annex before you rely on it")
-            }),
-        }
+            _ if is_approximate => WhyDoubted::Approximate,
+            _ => return None,
+        };
+        Some(PlaceDoubt {
+            place: self.name.to_string(),
+            values: self.words(),
+            why,
+        })
     }
+}
+
+/// What the reader must know about the values of a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaceDoubt {
+    /// The name of the place.
+    pub place: String,
+    /// The values.
+    pub values: String,
+    /// Why they are doubted.
+    pub why: WhyDoubted,
+}
+
+/// Why the values of a place are doubted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumCount)]
+pub enum WhyDoubted {
+    /// The spectrum has the shape of Eurocode 8.
+    Shape {
+        /// The code that is not in the program; `None`: a file has the peak of the ground alone.
+        by: Option<&'static str>,
+        /// Whether the values are approximate besides.
+        is_approximate: bool,
+    },
+    /// They are approximate, and the national annex was not read.
+    AnnexNotRead,
+    /// The grid reaches beyond the border of Italy.
+    PerhapsAbroad,
+    /// They are approximate.
+    Approximate,
 }
 
 answer_of!(Place as place {

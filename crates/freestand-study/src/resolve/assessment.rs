@@ -6,11 +6,11 @@ use freestand::decision::Looks;
 
 use super::{Resolver, line, or, stated};
 use crate::options::{ACCEPTED_KEYS, AssessmentOptions, RestraintOptions, WorldOptions};
-use crate::study::Ground;
 use crate::study::assessment::{
     Accepted, Bracket, Dimensions, MEASURED_PERIOD_SPREAD, Questions, RestraintSettings, Settings,
     Spread, WallUse, WorldSettings,
 };
+use crate::study::{Ground, StudyDoubt};
 use crate::target::Target;
 use freestand_input::file::check_allowed;
 use freestand_input::keys::Words;
@@ -383,12 +383,8 @@ impl Resolver<'_> {
         }
         match Target::for_parts(written) {
             Ok(target) => {
-                self.warnings.extend(
-                    target
-                        .warnings
-                        .iter()
-                        .map(|warning| format!("[restraint]: {warning}")),
-                );
+                let doubts = target.doubts.iter().cloned();
+                self.doubts.extend(doubts.map(StudyDoubt::Restraint));
                 Some(target)
             }
             Err(problems) => {

@@ -1,10 +1,9 @@
-//! What nobody stated about the shaking, in words.
+//! What nobody stated about the shaking.
 
 use super::Overrides;
 use crate::building::BuildingInput;
 use crate::options::{BuildingOptions, GroundOptions};
-use crate::study::{AssumedValue, Ground, StudyAssumption};
-use freestand_input::words::{counted, number, percent};
+use crate::study::{Assumed, Ground};
 
 /// What was written, and by whom.
 pub(super) struct Stated<'s> {
@@ -41,98 +40,56 @@ pub(super) fn assumed(
     ground: Option<&Ground>,
     building: Option<&BuildingInput>,
     stated: &Stated,
-) -> Vec<StudyAssumption> {
-    let of_ground = ground
-        .into_iter()
-        .flat_map(|ground| on_ground(ground, stated));
-    let of_building = building
-        .into_iter()
-        .flat_map(|building| above(building, stated));
-    of_ground
-        .map(|words| StudyAssumption {
-            of_building: false,
-            value: AssumedValue::Said(words),
-        })
-        .chain(of_building)
-        .collect()
+) -> Vec<Assumed> {
+    let of_ground = ground.map(|ground| on_ground(ground, stated));
+    let of_building = building.map(|building| above(building, stated));
+    of_ground.into_iter().chain(of_building).flatten().collect()
 }
 
-fn on_ground(ground: &Ground, stated: &Stated) -> Vec<String> {
-    let mut said = Vec::new();
+fn on_ground(ground: &Ground, stated: &Stated) -> Vec<Assumed> {
+    let mut all = Vec::new();
     if let Some(target) = ground.code_spectrum() {
         if stated.place_is_assumed {
-            let place = target
-                .place_name()
-                .unwrap_or_else(|| "the built-in study".to_owned());
-            said.push(format!("the hazard of {place}, because no place was given"));
+            all.push(Assumed::Place(target.place_name()));
         }
         if target.spectrum.site_name().is_some() && !stated.of_ground("site") {
-            said.push(format!(
-                "{}, because no site was given",
-                target.site_words()
-            ));
+            all.push(Assumed::Site(target.site_words()));
         }
-        if let Some(years) = target
-            .return_period_years()
-            .filter(|_| !stated.of_ground("return_period_years"))
-        {
-            said.push(format!(
-                "a return period of {years} years, because none was given"
-            ));
-        }
+        let years = target.return_period_years();
+        let years = years.filter(|_| !stated.of_ground("return_period_years"));
+        all.extend(years.map(Assumed::ReturnPeriod));
     }
     if !matches!(ground, Ground::OnFloors) && !ground.has_vertical() {
-        said.push("no vertical motion".to_owned());
+        all.push(Assumed::NoVertical);
     }
-    said
+    all
 }
 
-fn above(building: &BuildingInput, stated: &Stated) -> Vec<StudyAssumption> {
-    let mut said = Vec::new();
-    let plain = |words: String| StudyAssumption {
-        of_building: true,
-        value: AssumedValue::Said(words),
-    };
+fn above(building: &BuildingInput, stated: &Stated) -> Vec<Assumed> {
+    let mut all = Vec::new();
     if stated.building_is_assumed {
-        said.push(plain(format!(
-            "a building of {}, because none was given",
-            counted(building.storeys, "storey")
-        )));
+        all.push(Assumed::Building(building.storeys));
     }
     let has_table = !building.tables.is_empty();
-    if let Some(height_m) = building.storey_height_m
-        && !["storey_height", "height"]
-            .into_iter()
-            .any(|key| stated.of_building(key))
-    {
-        said.push(StudyAssumption {
-            of_building: true,
-            value: AssumedValue::StoreyHeight(height_m),
-        });
-    }
+    let states_height = ["storey_height", "height"]
+        .into_iter()
+        .any(|key| stated.of_building(key));
+    let storey_height_m = building.storey_height_m.filter(|_| !states_height);
+    all.extend(storey_height_m.map(Assumed::StoreyHeight));
     if !has_table && !stated.of_building("period") {
-        let period_s = number(building.along.period_s(), 3);
-        said.push(plain(format!(
-            "a first period of {period_s} s, by {}",
-            building.period_note
-        )));
+        all.push(Assumed::FirstPeriod {
+            period_s: building.along.period_s(),
+            from: building.period_from,
+        });
     }
     let states_damping = building.tables.iter().any(|table| table.states_damping);
     if !states_damping && !stated.of_building("damping") {
-        let ratio = building
-            .along
-            .modes()
-            .first()
-            .map_or(0.0, |mode| mode.damping_ratio());
-        said.push(plain(format!(
-            "{} damping of the building, which stays elastic",
-            percent(ratio, 0)
-        )));
+        let first = building.along.modes().first();
+        let ratio = first.map_or(0.0, |mode| mode.damping_ratio());
+        all.push(Assumed::Damping(ratio));
     }
     if !has_table && !stated.of_building("shear_flexure") {
-        said.push(plain(
-            "a building of walls and frames (shear_flexure)".to_owned(),
-        ));
+        all.push(Assumed::WallsAndFrames);
     }
-    said
+    all
 }

@@ -9,8 +9,8 @@ use crate::matched::{MatchMethod, Matched, match_record};
 use crate::near_fault::{near_fault, spectrum_words};
 use crate::options::{GroundOptions, VerticalOption};
 use crate::study::{
-    BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, SyntheticGround,
-    VerticalTarget,
+    BuildingInput, DEFAULT_MOTIONS, DEFAULT_SEED, Ground, Level, RecordedMotion, StudyDoubt,
+    SyntheticGround, VerticalTarget,
 };
 use crate::target::Target;
 use freestand_input::keys::KeyStyle;
@@ -33,8 +33,7 @@ impl Resolver<'_> {
     ) -> Option<Ground> {
         if let Some(files) = &overrides.motions {
             if written.vertical.is_some() {
-                let why = "[ground] vertical is not used, because other motions replace those of the study";
-                self.warnings.push(why.to_owned());
+                self.doubts.push(StudyDoubt::VerticalUnused);
             }
             return self.read(files, None).map(Ground::Recorded);
         }
@@ -99,28 +98,27 @@ impl Resolver<'_> {
         building: Option<&BuildingInput>,
         levels: &[Level],
     ) -> Option<Ground> {
-        let (warnings, notes, problems) =
-            (self.warnings.len(), self.notes.len(), self.problems.len());
+        let (doubts, notes, problems) = (self.doubts.len(), self.notes.len(), self.problems.len());
         let mut written = written.clone();
         written
             .target
             .set("spectrum_type", spectrum_type.to_string());
         let ground = self.ground(&written, overrides, building, levels);
-        let said = |what: &str| format!("with the spectrum of type {spectrum_type}: {what}");
-        let new = self.warnings.split_off(warnings);
-        let new: Vec<String> = new
-            .iter()
-            .filter(|one| !self.warnings.contains(one))
-            .map(|one| said(one))
-            .collect();
-        self.warnings.extend(new);
+        let mut new = self.doubts.split_off(doubts);
+        new.retain(|one| !self.doubts.contains(one));
+        let of_type = |doubt| StudyDoubt::OfType {
+            number: spectrum_type,
+            doubt: Box::new(doubt),
+        };
+        self.doubts.extend(new.into_iter().map(of_type));
         for note in self.notes.split_off(notes) {
             if !self.notes.contains(&note) {
                 self.notes.push(note);
             }
         }
         for problem in self.problems.problems.iter_mut().skip(problems) {
-            problem.message = said(&problem.message);
+            let message = &problem.message;
+            problem.message = format!("with the spectrum of type {spectrum_type}: {message}");
         }
         ground
     }
@@ -144,7 +142,7 @@ impl Resolver<'_> {
             return None;
         }
         let (method, target) = (method?, target?);
-        self.warnings.extend(target.warnings.iter().cloned());
+        self.doubt_target(&target);
         let mut records = self.motions(written, motions, &None)?;
         let matched: Vec<_> = records
             .par_iter()
@@ -170,6 +168,12 @@ impl Resolver<'_> {
             }
         }
         (self.problems.len() == before).then_some(records)
+    }
+
+    /// Keeps what the reader must know of a spectrum.
+    pub(super) fn doubt_target(&mut self, target: &Target) {
+        let doubts = target.doubts.iter().cloned();
+        self.doubts.extend(doubts.map(StudyDoubt::Target));
     }
 
     /// Notes keys that have no meaning, or contradict the target, where records are matched.
@@ -253,7 +257,7 @@ impl Resolver<'_> {
         let fault = fault.map_err(|problems| self.spectrum_faults(written, problems));
         let near_fault = fault.ok()?;
         let vertical = self.vertical_target(written, &target);
-        self.warnings.extend(target.warnings.iter().cloned());
+        self.doubt_target(&target);
         // A larger count was refused above; the names of its motions are still listed.
         let count = usize::try_from(count.min(MAX_MOTIONS)).unwrap_or_default();
         Some(Ground::Synthetic(SyntheticGround {

@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use crate::building::GivenStoreys;
 use crate::options::{self, Change, GroundOptions, Options};
 use crate::recorded::{MotionFiles, ReadMotion};
-use crate::study::{BuildingInput, Ground, RecordedMotion, Study};
+use crate::study::{BuildingInput, Ground, RecordedMotion, Study, StudyDoubt};
 use crate::target::{Target, period_code};
 use building::WithStoreys;
 use freestand_input::file::{file_name, load_up_to};
@@ -280,7 +280,7 @@ fn resolve_as(
         values,
         has_place_alone: values.is_some() || overrides.hazard.get("place").is_some(),
         problems,
-        warnings: Vec::new(),
+        doubts: Vec::new(),
         notes: Vec::new(),
         is_complete,
         reading: None,
@@ -337,9 +337,10 @@ fn resolve_as(
         let other = other_type.and_then(|kind| {
             resolver.ground_of_type(kind, &ground, overrides, found.as_ref(), &levels)
         });
+        let of_building = found.iter().flat_map(|building| building.doubts.clone());
         resolver
-            .warnings
-            .extend(found.iter().flat_map(|building| building.warnings.clone()));
+            .doubts
+            .extend(of_building.map(StudyDoubt::Building));
         (ground_input, other, found.map(Some))
     };
     let two = ground_input
@@ -350,9 +351,7 @@ fn resolve_as(
     })) = &building_input
         && !two
     {
-        resolver.warnings.push(
-            "[building] across is not used, because the motions have one component".to_owned(),
-        );
+        resolver.doubts.push(StudyDoubt::AcrossUnused);
     }
     let directions_deg = if ground_input.is_some() {
         resolver.directions(&ground, overrides, two)
@@ -391,9 +390,11 @@ fn resolve_as(
     if let (Text::Of(_), true, Some(Some(building))) =
         (written, building_is_assumed, &building_input)
     {
-        resolver.warnings.push(building.assumed_words());
+        let doubt = StudyDoubt::assumed_building(building);
+        resolver.doubts.push(doubt);
     }
     let notes = grouped(resolver.notes.iter().map(|(name, note)| (name, note)));
+    let notes = notes.iter().map(|note| KeyStyle::File.shown(note));
     match (ground_input, building_input, objects) {
         (Some(ground), Some(building), Some(objects)) if resolver.problems.is_empty() => {
             Ok(Study {
@@ -415,11 +416,10 @@ fn resolve_as(
                 objects,
                 outputs,
                 assessment,
-                warnings: resolver
-                    .warnings
-                    .iter()
-                    .chain(&notes)
-                    .map(|warning| KeyStyle::File.shown(warning))
+                doubts: resolver
+                    .doubts
+                    .into_iter()
+                    .chain(notes.map(StudyDoubt::OfRecords))
                     .collect(),
             })
         }
@@ -441,7 +441,7 @@ struct Resolver<'a> {
     /// Whether the place was given beside the study, where no code or value of one can be.
     has_place_alone: bool,
     problems: Problems,
-    warnings: Vec<String>,
+    doubts: Vec<StudyDoubt>,
     /// Of all records that are read, with their names.
     notes: Vec<(String, Note)>,
     /// No key was refused when the text was read.

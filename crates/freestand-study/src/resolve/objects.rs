@@ -8,7 +8,7 @@ use super::{MAX_OBJECTS, Resolver, or, stated};
 use crate::options::{ObjectsOptions, RestitutionOption};
 use crate::restitution::checked;
 use crate::shape::squat;
-use crate::study::Objects;
+use crate::study::{Objects, StudyDoubt};
 use freestand_input::quantity::{Dimension, parse_grid, shorten};
 use freestand_input::toml_reader::Written;
 
@@ -92,8 +92,8 @@ impl Resolver<'_> {
         let (cushion, cushion_file) = cushion?;
         let of_cushion = cushion.stiffness_doubts(mass_kg).into_iter();
         let squat = squat(blocks.len(), blocks.iter().copied()).into_iter();
-        self.warnings.extend(of_cushion.map(|one| one.to_string()));
-        self.warnings.extend(squat.map(|one| one.to_string()));
+        self.doubts.extend(of_cushion.map(StudyDoubt::Cushion));
+        self.doubts.extend(squat.map(StudyDoubt::Squat));
         Some(Objects {
             heights_m,
             thicknesses_m,

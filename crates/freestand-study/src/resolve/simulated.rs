@@ -8,7 +8,7 @@ use crate::options::{GroundOptions, PointSourceOptions};
 use crate::simulated::{
     DEFAULT_SITE, Earthquakes, SimulatedRequest, SourceInput, find_earthquakes, read_source,
 };
-use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround};
+use crate::study::{DEFAULT_MOTIONS, DEFAULT_SEED, SimulatedGround, StudyDoubt};
 use crate::target::{Target, key_of_other_code};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -67,13 +67,13 @@ impl Resolver<'_> {
         let earthquakes = find_earthquakes(&request)
             .map_err(|problem| self.source_fault(source, problem))
             .ok()?;
-        self.warnings.extend(
-            hazard
-                .iter()
-                .flat_map(|target| target.warnings.iter().cloned()),
-        );
-        self.warnings.extend(request.limits(&earthquakes));
-        self.warnings.extend(request.assumptions());
+        if let Some(target) = &hazard {
+            self.doubt_target(target);
+        }
+        let limits = request.limits(&earthquakes).into_iter();
+        self.doubts.extend(limits.map(StudyDoubt::OutsideLimits));
+        let assumptions = request.assumptions().into_iter();
+        self.doubts.extend(assumptions.map(StudyDoubt::Simulated));
         Some(SimulatedGround {
             request,
             earthquakes,

@@ -6,6 +6,7 @@ use freestand::building::Building;
 use freestand::motion::{Motion, MotionError};
 use freestand::suite::SuiteScale;
 use freestand_input::file::file_name;
+use freestand_input::keys::KeyStyle;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
 use freestand_input::toml_reader::Written;
@@ -18,7 +19,7 @@ use super::recorded::same_file;
 use super::{MAX_MOTIONS, Resolver, line};
 use crate::options::GroundOptions;
 use crate::recorded::{Folder, MotionFiles, ReadMotion, read_folder};
-use crate::study::{BuildingInput, Level, RecordedMotion};
+use crate::study::{BuildingInput, Level, RecordedMotion, StudyDoubt};
 use crate::suite::{
     DEFAULT_MOST, DEFAULT_SCALE, LeftOut, NAMED, PeriodRange, Record, Request, Spectra, Suite,
     select, some_left_out,
@@ -54,7 +55,7 @@ impl Resolver<'_> {
         }
         let range = period_range(building?, levels);
         let target = self.target_with(written, |target| covers(target, &range))?;
-        self.warnings.extend(target.warnings.iter().cloned());
+        self.doubt_target(&target);
         let files = self.suite_files(written)?;
         let path = self.base_dir.join(&folder.value);
         let found = match read_folder(&path, &files) {
@@ -74,8 +75,9 @@ impl Resolver<'_> {
             })
             .and_then(|request| chosen(request, count, found, &folder.value))
             .and_then(|(suite, members)| {
-                self.warnings.extend(suite.warnings());
-                self.motion_warnings(&suite, &members);
+                let of_suite = suite.doubts().into_iter();
+                self.doubts.extend(of_suite.map(StudyDoubt::Suite));
+                self.doubt_members(&suite, &members);
                 scaled(suite, members)
             });
         selected
@@ -159,17 +161,15 @@ impl Resolver<'_> {
     }
 
     /// What the readers of the chosen records noted, and periods for which a record is too coarse.
-    fn motion_warnings(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
+    fn doubt_members(&mut self, suite: &Suite, members: &[(ReadMotion, f64)]) {
         self.take_notes(members.iter().map(|(read, _)| read));
         let coarsest_s = members
             .iter()
             .map(|(read, _)| read.motion.motion.dt_s())
             .fold(0.0, f64::max);
-        self.warnings.extend(short_period_warning(
-            "the suite",
-            &suite.periods_s,
-            coarsest_s,
-        ));
+        let few = short_period_warning("the suite", &suite.periods_s, coarsest_s);
+        let few = few.map(|few| KeyStyle::File.shown(&few));
+        self.doubts.extend(few.map(StudyDoubt::OfRecords));
     }
 }
 

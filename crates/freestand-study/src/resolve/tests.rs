@@ -5,6 +5,7 @@ mod building_tables;
 mod hazard;
 
 use super::*;
+use crate::target::TargetDoubt;
 use freestand_records::formats::ReadOptions;
 use freestand_records::processing::Processing;
 
@@ -29,16 +30,16 @@ fn the_built_in_study_is_the_same_as_no_study_at_all() {
     assert!(nothing.place_is_assumed && nothing.building_is_assumed);
     nothing.is_builtin = true;
     // What nobody stated is said; the built-in study states it.
-    assert_eq!(nothing.warnings.len(), 1);
-    nothing.warnings.clear();
+    assert_eq!(nothing.doubts.len(), 1);
+    nothing.doubts.clear();
     let Ground::Synthetic(ground) = &mut nothing.ground else {
         panic!()
     };
     assert!(ground.target.place_is_assumed);
-    (ground.target.place_is_assumed, ground.target.warnings) = (false, Vec::new());
+    (ground.target.place_is_assumed, ground.target.doubts) = (false, Vec::new());
     assert_eq!(nothing, dumped);
     assert_eq!(dumped.objects.blocks.len(), 130);
-    assert_eq!(dumped.warnings, [] as [String; 0]);
+    assert_eq!(dumped.doubts, []);
     assert!((dumped.building.unwrap().along.period_s() - 1.9166).abs() < 1e-3);
     // Height by height, thickness by thickness within each.
     assert_eq!(
@@ -280,12 +281,15 @@ fn contradictions_and_products_are_refused() {
 }
 
 #[test]
-fn what_the_reader_must_know_is_a_warning() {
+fn what_the_reader_must_know_is_a_doubt() {
     let hobart = study("[ground]\ncity = \"hobart\"\n");
     assert!(
-        hobart.warnings[0].contains("minimum kpZ of 0.08"),
+        matches!(
+            hobart.doubts[0],
+            StudyDoubt::Target(TargetDoubt::MinimumGoverns { .. })
+        ),
         "{:?}",
-        hobart.warnings
+        hobart.doubts
     );
     let Ground::Synthetic(ground) = hobart.ground else {
         panic!()
@@ -297,20 +301,18 @@ fn what_the_reader_must_know_is_a_warning() {
     let stated = "[ground]\ncity = \"Sydney\"\n[building]\nstoreys = 30\n";
     let squat = study(&format!("{stated}[objects]\nheights = \"0.3 m\"\n"));
     assert!(
-        squat.warnings[0].starts_with("2 of 5 objects are squat"),
+        matches!(&squat.doubts[0], StudyDoubt::Squat(found) if (found.count, found.objects) == (2, 5)),
         "{:?}",
-        squat.warnings
+        squat.doubts
     );
     assert_eq!(
         study(&format!("{stated}[objects]\nstiffness = \"4380 N/m\"\n"))
-            .warnings
+            .doubts
             .len(),
         2
     );
     assert_eq!(
-        study("[objects]\nstiffness = \"4380 N/m\"\n")
-            .warnings
-            .len(),
+        study("[objects]\nstiffness = \"4380 N/m\"\n").doubts.len(),
         4,
         "no place, no building"
     );

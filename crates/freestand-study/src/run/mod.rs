@@ -1,8 +1,8 @@
 //! From a study to its result: ground motions, floor motions, every object on every floor under
 //! every motion.
 
+mod doubts;
 mod motions;
-mod warnings;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -20,12 +20,11 @@ use rayon::prelude::*;
 use crate::cushion::BOTTOMED;
 use crate::result::{ExampleHistory, LevelResult, ObjectResponse, StudyResult};
 use crate::statistics::object_statistics;
-use crate::study::{Level, Study};
+use crate::study::{Level, Study, StudyDoubt};
 use freestand_input::problem::{Problem, Problems};
 use freestand_records::horizontal::HorizontalMotion;
 use motions::{floor_profile, floors, spectrum_of, verticals};
 pub use motions::{floors_under, ground_motions};
-use warnings::result_warnings;
 
 pub use freestand::rocking::LONGEST_TAIL_S;
 
@@ -166,12 +165,10 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
         let responses: Vec<_> = responses.by_ref().take(floors.len()).collect();
         levels.push(level_result(level, (floors, verticals), responses)?);
     }
-    let mut warnings = study.warnings.clone();
-    warnings.extend(result_warnings(study, &ground, &levels));
+    let mut doubts = study.doubts.clone();
+    doubts.extend(doubts::doubts(study, &ground, &levels));
     let history = example_history(study, &names, &levels).unwrap_or_else(|error| {
-        warnings.push(format!(
-            "the requested rocking history cannot be drawn: {error}"
-        ));
+        doubts.push(StudyDoubt::NoHistory(error.to_string()));
         None
     });
     let modes = study
@@ -186,7 +183,7 @@ pub fn run(study: &Study, progress: Progress) -> Result<StudyResult, Problems> {
         levels,
         history,
         sensitivity: None,
-        warnings,
+        doubts,
     })
 }
 

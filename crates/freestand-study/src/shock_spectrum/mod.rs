@@ -10,6 +10,7 @@ use freestand::shock_response::{
 use std::f64::consts::PI;
 use std::time::Instant;
 
+use crate::doubt::MotionDoubt;
 use crate::recorded::ReadMotion;
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, find_unit};
@@ -206,7 +207,7 @@ pub struct ShockSpectrumReport {
     /// Time taken.
     pub timing: Timing,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<MotionDoubt>,
     /// What a value is.
     pub response: ResponseKind,
 }
@@ -275,11 +276,12 @@ pub fn recorded_shock_spectra(
         notes.extend(all.map(|note| (&recorded.name, note)));
         spectra.push(one);
     }
-    let warnings = match motions {
+    let notes: Vec<String> = match motions {
         [_] => notes.iter().map(|(_, note)| note.to_string()).collect(),
         _ => grouped(notes.iter().map(|(name, note)| (name, note))),
     };
-    Ok(report(request, spectra, solve_s, warnings))
+    let doubts = notes.into_iter().map(MotionDoubt::OfRecords).collect();
+    Ok(report(request, spectra, solve_s, doubts))
 }
 
 /// Computes the spectrum of a pulse; `unit` is that of accelerations in the result. `go_on` is asked
@@ -319,12 +321,11 @@ pub fn pulse_shock_spectrum(
         .samples_per_period
         .iter()
         .any(|samples| *samples < SAMPLES_PER_PERIOD);
-    let warning = "the pulse is so long that the fastest oscillators have few samples in a period: their peaks may be too low";
     Ok(report(
         request,
         vec![one],
         solve_s,
-        few.then(|| warning.to_owned()).into_iter().collect(),
+        few.then_some(MotionDoubt::LongPulse).into_iter().collect(),
     ))
 }
 
@@ -413,7 +414,7 @@ fn report(
     request: &ShockSpectrumRequest,
     spectra: Vec<OneShockSpectrum>,
     solve_s: f64,
-    warnings: Vec<String>,
+    doubts: Vec<MotionDoubt>,
 ) -> ShockSpectrumReport {
     ShockSpectrumReport {
         kind: name_of(KINDS, request.kind),
@@ -422,7 +423,7 @@ fn report(
         upsample: request.upsample,
         spectra,
         timing: Timing { solve_s },
-        warnings,
+        doubts,
         response: request.kind,
     }
 }

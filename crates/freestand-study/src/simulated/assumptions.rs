@@ -1,29 +1,86 @@
-//! The assumptions of a simulation, after all changes of parameters.
+//! The assumptions of a simulation, after all changes of parameters, as data: `freestand-report` has the words.
 
 use freestand::code_spectrum::SiteClass;
 use freestand::synthesis::{
-    HighCut, PAIR_MOTIONS, PathDuration, PointSource, Preset, Quality,
-    SOUTH_EAST_AUSTRALIA_FARTHEST_M, SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum,
+    HighCut, PathDuration, PointSource, Preset, Quality, SOUTH_EAST_AUSTRALIA_FARTHEST_M,
+    SOUTH_EAST_AUSTRALIA_MAGNITUDES, SourceSpectrum,
 };
+use strum::EnumCount;
 
 use super::{Earthquakes, SimulatedRequest};
-use freestand_input::words::number;
 
-/// One sentence each; `source` is any source of the request, with its changes.
-pub(super) fn assumptions(request: &SimulatedRequest, source: &PointSource) -> Vec<String> {
-    let mut said = of_the_preset(request, source);
+/// Something that a simulation assumes.
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
+pub enum SimulationAssumption {
+    /// Of the parameters of the preset.
+    OfPreset(Preset, PresetAssumption),
+    /// The source of Atkinson and Boore has not its own duration along the path.
+    PathOfBoore,
+    /// The duration of a source with two corners is that of one corner.
+    DurationOfOneCorner,
+    /// Q was fitted in this range.
+    QualityFitted {
+        /// From \[Hz\].
+        lowest_hz: f64,
+        /// To \[Hz\].
+        highest_hz: f64,
+    },
+    /// The site changes the amplitudes of rock.
+    SiteRatio(SiteClass),
+    /// The distances are those at which the motions fit a spectrum.
+    DistancesFound,
+}
+
+/// Something that the parameters of a preset assume, or that was changed in them.
+#[derive(Debug, Clone, Copy, PartialEq, EnumCount)]
+pub enum PresetAssumption {
+    /// Values of other regions, in Victoria.
+    OtherRegions {
+        /// The stress drop, where it is the preset's \[Pa\].
+        stress_drop_pa: Option<f64>,
+        /// The loss near the surface, where it is the preset's.
+        high_cut: Option<HighCut>,
+    },
+    /// The loss near the surface is quoted from memory.
+    CutRecalled {
+        /// The loss.
+        high_cut: HighCut,
+        /// Whose it is.
+        after: &'static str,
+    },
+    /// The crust is that of Melbourne, which is not part of the model.
+    ForeignProfile,
+    /// The stress drop is that of deep sources \[Pa\].
+    DeepSources(f64),
+    /// The stress drop is another \[Pa\].
+    OtherStress(f64),
+    /// The loss near the surface is another.
+    OtherCut(HighCut),
+    /// There is no amplification by the crust.
+    HardRock,
+}
+
+/// An earthquake that the preset was not made for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutsideLimits {
+    /// Its magnitude.
+    pub magnitude: f64,
+    /// Its distance \[m\].
+    pub distance_m: f64,
+}
+
+/// `source` is any source of the request, with its changes.
+pub(super) fn assumptions(
+    request: &SimulatedRequest,
+    source: &PointSource,
+) -> Vec<SimulationAssumption> {
+    let of_preset = |one| SimulationAssumption::OfPreset(request.preset, one);
+    let mut all: Vec<_> = of_the_preset(request, source).map(of_preset).collect();
     if source.spectrum == SourceSpectrum::TwoCorner {
         if source.path_duration == PathDuration::Boore {
-            said.push(
-                "the source spectrum of Atkinson and Boore (1995) is combined with 0.05 s/km along the path, \
-                 not with their own duration"
-                    .to_owned(),
-            );
+            all.push(SimulationAssumption::PathOfBoore);
         }
-        said.push(
-            "the source has two corners, but its duration is 1/f0 with the single corner f0 of the same stress drop"
-                .to_owned(),
-        );
+        all.push(SimulationAssumption::DurationOfOneCorner);
     }
     if let Quality::LogCubic {
         lowest_hz,
@@ -31,114 +88,61 @@ pub(super) fn assumptions(request: &SimulatedRequest, source: &PointSource) -> V
         ..
     } = source.quality
     {
-        said.push(format!(
-            "Q was fitted from {lowest_hz} to {highest_hz} Hz; outside, the values at the ends are used"
-        ));
+        all.push(SimulationAssumption::QualityFitted {
+            lowest_hz,
+            highest_hz,
+        });
     }
     if request.site != SiteClass::Be {
-        said.push(format!(
-            "site {}: Fourier amplitudes of rock times the ratio of the code's spectra {}/Be at T = 1/f; no soil \
-             column was computed",
-            request.site.name(),
-            request.site.name()
-        ));
+        all.push(SimulationAssumption::SiteRatio(request.site));
     }
     if matches!(request.earthquakes, Earthquakes::Pairs { .. }) {
-        said.push(format!(
-            "distances are those at which the geometric mean of {PAIR_MOTIONS} motions on rock, with the same time \
-             step and low cut as the written ones, fits the code's rock spectrum from T = 0.5 to 1 s; the hazard was \
-             not deaggregated"
-        ));
+        all.push(SimulationAssumption::DistancesFound);
     }
-    said
+    all
 }
 
-fn of_the_preset(request: &SimulatedRequest, source: &PointSource) -> Vec<String> {
-    let (preset, changes) = (request.preset, &request.changes);
+fn of_the_preset(
+    request: &SimulatedRequest,
+    source: &PointSource,
+) -> impl Iterator<Item = PresetAssumption> {
+    let (changes, high_cut) = (&request.changes, source.high_cut);
     let own_stress = changes.stress_drop_pa.is_none();
-    let cut = match source.high_cut {
-        HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 3)),
-        HighCut::MaximumFrequency { frequency_hz } => {
-            format!("f_max = {} Hz", number(frequency_hz, 3))
-        }
-    };
     let own_cut = changes.kappa_s.is_none();
-    let mpa = format!("{} MPa", number(source.stress_drop_pa / 1e6, 3));
-    let mut said = Vec::new();
-    let mut say = |is_so: bool, words: String| {
-        if is_so {
-            said.push(format!("{}: {words}", preset.name()));
-        }
+    let recalled = |after| own_cut.then_some(PresetAssumption::CutRecalled { high_cut, after });
+    let of_preset = match request.preset {
+        Preset::Victoria => [
+            Some(PresetAssumption::OtherRegions {
+                stress_drop_pa: own_stress.then_some(source.stress_drop_pa),
+                high_cut: own_cut.then_some(high_cut),
+            }),
+            None,
+            None,
+        ],
+        Preset::IntraplateHardRock => [recalled("Atkinson and Boore (1995)"), None, None],
+        Preset::SouthEastAustralia => [
+            recalled("Allen (2012)"),
+            source
+                .profile
+                .is_some()
+                .then_some(PresetAssumption::ForeignProfile),
+            own_stress.then_some(PresetAssumption::DeepSources(source.stress_drop_pa)),
+        ],
     };
-    match preset {
-        Preset::Victoria => {
-            let stress = if own_stress {
-                format!("{mpa} and trilinear spreading are those")
-            } else {
-                "trilinear spreading is that".to_owned()
-            };
-            let last = if own_cut {
-                format!(", {cut} is a common value for rock")
-            } else {
-                String::new()
-            };
-            say(
-                true,
-                format!(
-                    "{stress} of eastern North America, Q is that of Wilkie and Gibson{last}; none is fitted to the \
-                     site"
-                ),
-            );
-        }
-        Preset::IntraplateHardRock => {
-            say(
-                own_cut,
-                format!("{cut} is quoted from memory, after Atkinson and Boore (1995)"),
-            );
-        }
-        Preset::SouthEastAustralia => {
-            say(
-                own_cut,
-                format!("{cut} is quoted from memory, after Allen (2012)"),
-            );
-            say(
-                source.profile.is_some(),
-                "the Melbourne profile is not part of that model".to_owned(),
-            );
-            say(
-                own_stress,
-                format!("{mpa} is for sources above 10 km depth"),
-            );
-        }
-    }
-    say(
-        !own_stress,
-        format!("the stress drop is {mpa}, not the preset's"),
-    );
-    say(
-        !own_cut,
-        format!("the loss near the surface is {cut}, not the preset's"),
-    );
-    say(
-        changes.hard_rock,
-        "hard rock: no amplification by the crust".to_owned(),
-    );
-    said
+    let changed = [
+        (!own_stress).then_some(PresetAssumption::OtherStress(source.stress_drop_pa)),
+        (!own_cut).then_some(PresetAssumption::OtherCut(high_cut)),
+        changes.hard_rock.then_some(PresetAssumption::HardRock),
+    ];
+    of_preset.into_iter().chain(changed).flatten()
 }
 
-/// A warning if an earthquake lies outside the range of its model.
-pub(super) fn outside_limits(preset: Preset, source: &PointSource) -> Option<String> {
+/// Whether an earthquake lies outside the range of its model.
+pub(super) fn outside_limits(preset: Preset, source: &PointSource) -> Option<OutsideLimits> {
     let inside = SOUTH_EAST_AUSTRALIA_MAGNITUDES.contains(&source.magnitude)
         && source.distance_m < SOUTH_EAST_AUSTRALIA_FARTHEST_M;
-    (preset == Preset::SouthEastAustralia && !inside).then(|| {
-        format!(
-            "se-australia was made for magnitudes from {} to {} and distances below {} km, not for magnitude {} at \
-             {} km",
-            number(*SOUTH_EAST_AUSTRALIA_MAGNITUDES.start(), 3),
-            number(*SOUTH_EAST_AUSTRALIA_MAGNITUDES.end(), 3),
-            number(SOUTH_EAST_AUSTRALIA_FARTHEST_M / 1e3, 3),
-            number(source.magnitude, 3),
-            number(source.distance_m / 1e3, 4)
-        )
+    (preset == Preset::SouthEastAustralia && !inside).then_some(OutsideLimits {
+        magnitude: source.magnitude,
+        distance_m: source.distance_m,
     })
 }

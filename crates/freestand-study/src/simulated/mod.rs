@@ -8,12 +8,13 @@ use freestand::code_spectrum::SiteClass;
 use freestand::measures::{Measures, measures};
 use freestand::motion::Motion;
 use freestand::synthesis::{
-    Corners, GENERATOR, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration,
-    PointSource, Preset, Quality, ShearWaveProfile, SimulationOptions, Simulator, SourceSpectrum,
-    SpreadingPiece, SynthesisError, distance_for_target, mean_ratio, stream,
+    Corners, HighCut, PAIR_MAGNITUDES, PAIR_MOTIONS, Parameter, PathDuration, PointSource, Preset,
+    SimulationOptions, Simulator, SourceSpectrum, SynthesisError, distance_for_target, mean_ratio,
+    stream,
 };
 use rayon::prelude::*;
 
+pub use self::assumptions::{OutsideLimits, PresetAssumption, SimulationAssumption};
 use self::assumptions::{assumptions, outside_limits};
 use crate::target::Target;
 use freestand_input::problem::{Problem, Problems};
@@ -23,7 +24,7 @@ use freestand_output::answer_of;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
 
-pub use words::{SourceInput, read_source};
+pub use words::{SourceInput, read_source, spectrum_name};
 
 /// Changes to a preset; `None` keeps its value.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -88,8 +89,8 @@ pub struct SimulatedRequest {
 pub struct SimulatedReport<'a> {
     /// The request.
     pub request: &'a SimulatedRequest,
-    /// Warnings for the reader.
-    pub warnings: Vec<String>,
+    /// Those of its earthquakes that the preset was not made for.
+    pub limits: Vec<OutsideLimits>,
     /// The earthquakes and their motions.
     pub earthquakes: Vec<Earthquake>,
 }
@@ -255,7 +256,7 @@ pub fn simulator(
 /// As [`find_earthquakes`].
 pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport<'_>, Problem> {
     let found = find_earthquakes(request)?;
-    let warnings = request.limits(&found);
+    let limits = request.limits(&found);
     let earthquakes = found
         .into_iter()
         .map(|found| earthquake(request, found))
@@ -263,7 +264,7 @@ pub fn simulate(request: &SimulatedRequest) -> Result<SimulatedReport<'_>, Probl
         .map_err(source_problem)?;
     Ok(SimulatedReport {
         request,
-        warnings,
+        limits,
         earthquakes,
     })
 }
@@ -394,103 +395,6 @@ fn earthquake(
     })
 }
 
-fn quality_words(quality: &Quality) -> String {
-    match quality {
-        Quality::Power {
-            at_1_hz_ratio,
-            exponent_ratio,
-        } => format!("{at_1_hz_ratio} f^{exponent_ratio}"),
-        Quality::LogCubic {
-            coefficients_ratio: [a, b, c, d],
-            lowest_hz,
-            highest_hz,
-        } => format!(
-            "log10 Q = {a} + {b} x + {c} x^2 + {d} x^3, x = log10 f, constant below {lowest_hz} and \
-             above {highest_hz} Hz"
-        ),
-    }
-}
-
-fn path_words(path: PathDuration) -> &'static str {
-    match path {
-        PathDuration::Boore => "0.05 s/km",
-        PathDuration::AtkinsonBoore => "Atkinson and Boore (1995)",
-    }
-}
-
-/// The parameters that all earthquakes of a request share, for programs.
-#[derive(Debug, Clone)]
-pub(crate) struct Parameters(pub(crate) PointSource);
-
-impl Parameters {
-    /// κ₀ or the maximum frequency.
-    fn high_cut(&self) -> (Option<f64>, Option<f64>) {
-        match self.0.high_cut {
-            HighCut::Kappa { kappa_s } => (Some(kappa_s), None),
-            HighCut::MaximumFrequency { frequency_hz } => (None, Some(frequency_hz)),
-        }
-    }
-}
-
-answer_of!(Parameters as of.0 {
-    stress_drop_pa: f64;
-    density_kg_m3: f64;
-    shear_velocity_m_s: f64;
-    source_spectrum: &'static str = words::spectrum_name(of.0.spectrum);
-    spreading: Vec<Spreading<'_>> = of.0.spreading.iter().map(Spreading).collect();
-    quality: String = quality_words(&of.0.quality);
-    kappa_s: Option<f64> = of.high_cut().0;
-    maximum_frequency_hz: Option<f64> = of.high_cut().1;
-    vs30_m_s: Option<f64> = of.0.profile.as_ref().map(ShearWaveProfile::vs30_m_s);
-    path_duration: &'static str = path_words(of.0.path_duration);
-    window: &'static str = of.0.window.into();
-});
-
-answer_of!(
-    /// Geometric spreading from a distance on.
-    struct Spreading<'s>(&'s SpreadingPiece) as piece.0 {
-    from_distance_m: f64;
-    exponent_ratio: f64;
-});
-
-/// The same parameters in words, for a report.
-pub fn source_words(source: &PointSource) -> String {
-    let near_the_surface = match source.high_cut {
-        HighCut::Kappa { kappa_s } => format!("κ0 = {} s", number(kappa_s, 4)),
-        HighCut::MaximumFrequency { frequency_hz } => {
-            format!("f_max = {} Hz", number(frequency_hz, 4))
-        }
-    };
-    let crust = match &source.profile {
-        Some(profile) => format!("crust with V_S30 = {} m/s", number(profile.vs30_m_s(), 3)),
-        None => "no amplification by the crust".to_owned(),
-    };
-    let spreading: Vec<String> = source
-        .spreading
-        .iter()
-        // 0 less the exponent, so that no spreading is R^0 and not R^-0.
-        .map(|piece| {
-            format!(
-                "R^{} from {} km",
-                0.0 - piece.exponent_ratio,
-                number(piece.from_distance_m / 1e3, 3)
-            )
-        })
-        .collect();
-    format!(
-        "{} spectrum, {} MPa, {} kg/m³, {} m/s; {}; Q = {}; {near_the_surface}; {crust}; path duration {}; \
-         window {}",
-        words::spectrum_name(source.spectrum),
-        number(source.stress_drop_pa / 1e6, 4),
-        number(source.density_kg_m3, 4),
-        number(source.shear_velocity_m_s, 4),
-        spreading.join(", "),
-        quality_words(&source.quality),
-        path_words(source.path_duration),
-        <&str>::from(source.window)
-    )
-}
-
 impl SimulatedRequest {
     /// A source with the parameters that all its earthquakes share.
     pub fn any_source(&self) -> PointSource {
@@ -519,20 +423,21 @@ impl SimulatedRequest {
         problems.finish(Some(()))
     }
 
-    /// The assumptions, one sentence each.
-    pub fn assumptions(&self) -> Vec<String> {
+    /// What it assumes.
+    pub fn assumptions(&self) -> Vec<SimulationAssumption> {
         assumptions(self, &self.any_source())
     }
 
-    /// Warnings about earthquakes that the preset was not made for.
-    pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<String> {
+    /// The earthquakes that the preset was not made for.
+    pub fn limits(&self, found: &[FoundEarthquake]) -> Vec<OutsideLimits> {
         found
             .iter()
             .filter_map(|one| outside_limits(self.preset, &one.source))
             .collect()
     }
 
-    fn kpz_g(&self) -> Option<f64> {
+    /// kp·Z of the code, if distances are searched for with one \[g\].
+    pub fn kpz_g(&self) -> Option<f64> {
         if let Earthquakes::Pairs { kpz_g, .. } = self.earthquakes {
             Some(kpz_g)
         } else {
@@ -567,21 +472,6 @@ answer_of!(SimulatedMotion as one {
     pgd_m: f64 = one.measures.pgd_m;
     arias_m_s: f64 = one.measures.arias_m_s;
     d5_95_s: f64 = one.measures.d5_95_s;
-});
-
-answer_of!(SimulatedReport<'_> as report {
-    preset: &'static str = report.request.preset.name();
-    parameters: Parameters = Parameters(report.request.any_source());
-    /// The class of the site, by AS 1170.4.
-    site: &'static str = report.request.site.name();
-    kpz_g: Option<f64> = report.request.kpz_g();
-    seed: u64 = report.request.seed;
-    /// Of the random numbers.
-    generator: &'static str = GENERATOR;
-    dt_s: f64 = report.request.options.dt_s;
-    low_cut_hz: f64 = report.request.options.low_cut_hz;
-    assumptions: Vec<String> = report.request.assumptions();
-    earthquakes: Vec<&Earthquake> = report.earthquakes.iter().collect();
 });
 
 impl SimulatedReport<'_> {

@@ -24,7 +24,8 @@ const WINDOWS: [(&str, Window); 2] = [
 ];
 const SWITCH: [(&str, bool); 2] = [("true", true), ("false", false)];
 
-pub(super) fn spectrum_name(spectrum: SourceSpectrum) -> &'static str {
+/// The name of a source spectrum in files.
+pub fn spectrum_name(spectrum: SourceSpectrum) -> &'static str {
     SPECTRA
         .iter()
         .find(|(_, one)| *one == spectrum)

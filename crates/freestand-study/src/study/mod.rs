@@ -1,6 +1,7 @@
 //! A resolved study: validated, in SI units, with its files loaded.
 
 pub mod assessment;
+mod doubt;
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -11,17 +12,18 @@ use freestand::rocking::{Accuracy, Restitution};
 use freestand::worlds::NearFault;
 
 pub use crate::building::BuildingInput;
+use crate::building::PeriodFrom;
 use crate::cushion::EdgeCushion;
 use crate::matched::{Matched, synthetic_name};
 use crate::simulated::{FoundEarthquake, SimulatedRequest};
 use crate::suite::Suite;
 use crate::target::Target;
+pub use doubt::{Share, StudyDoubt, UsedFriction};
 use freestand_input::file::InputFile;
 use freestand_input::keys::Words;
-use freestand_input::quantity::UnitSystem;
-use freestand_input::words::number;
 use freestand_records::horizontal::HorizontalMotion;
 use serde::{Deserialize, Serialize};
+use strum::EnumCount;
 
 /// Default seed of the random numbers.
 pub const DEFAULT_SEED: u64 = 1;
@@ -46,7 +48,7 @@ pub struct Study {
     /// Whether nobody stated the building: it is that of the built-in study.
     pub building_is_assumed: bool,
     /// Everything about the shaking that nobody stated.
-    pub assumed: Vec<StudyAssumption>,
+    pub assumed: Vec<Assumed>,
     /// The study as TOML text: what `source` held, or the built-in study.
     pub toml: String,
     /// The motions at the base of the building.
@@ -74,39 +76,22 @@ pub struct Study {
     pub outputs: Outputs,
     /// How an inventory is assessed on its floors.
     pub assessment: crate::study::assessment::Settings,
-    /// What the reader of the result must know: assumptions and warnings, one sentence each.
-    pub warnings: Vec<String>,
+    /// What the reader of the result must know.
+    pub doubts: Vec<StudyDoubt>,
 }
 
 impl Study {
-    /// What was assumed about the shaking at a level, in words; on the ground no building matters.
-    pub fn assumed_at(&self, level_ratio: f64, units: UnitSystem) -> impl Iterator<Item = String> {
-        let at_level = self
-            .assumed
-            .iter()
-            .filter(move |one| !one.of_building || level_ratio > 0.0);
-        at_level.map(move |one| match &one.value {
-            AssumedValue::Said(words) => words.clone(),
-            AssumedValue::StoreyHeight(height_m) => {
-                format!("storeys of {}", units.storey(*height_m))
-            }
-        })
+    /// What was assumed about the shaking at a level; on the ground no building matters.
+    pub fn assumed_at(&self, level_ratio: f64) -> impl Iterator<Item = &Assumed> {
+        let all = self.assumed.iter();
+        all.filter(move |one| !one.is_of_building() || level_ratio > 0.0)
     }
 
-    /// Its warnings, with what is said of a building that nobody stated.
-    pub fn and_assumed_building(&self) -> Vec<String> {
+    /// What the reader must know, with a building that nobody stated.
+    pub fn and_assumed_building(&self) -> Vec<StudyDoubt> {
         let building = self.building.as_ref().filter(|_| self.building_is_assumed);
-        let assumed = building.map(BuildingInput::assumed_words);
-        self.warnings.iter().cloned().chain(assumed).collect()
-    }
-
-    /// What an assessment says of a national annex with two spectra: it asks both.
-    pub fn two_spectra_words(&self) -> Option<String> {
-        let target = self.ground.code_spectrum()?;
-        let (one, other) = (target.spectrum_type()?, target.other_type()?);
-        Some(format!(
-            "both spectra of the national annex, of type {one} and of type {other}: the worse counts for each object"
-        ))
+        let assumed = building.map(StudyDoubt::assumed_building);
+        self.doubts.iter().cloned().chain(assumed).collect()
     }
 
     /// What nobody stated of the shaking at a level; `None`: everything is stated. On the ground no building
@@ -149,22 +134,46 @@ impl Study {
     }
 }
 
-/// A value that nobody stated.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StudyAssumption {
-    /// Whether it is one of the building.
-    pub of_building: bool,
-    /// What was assumed.
-    pub value: AssumedValue,
-}
-
-/// What is assumed where nobody states it.
-#[derive(Debug, Clone, PartialEq)]
-pub enum AssumedValue {
-    /// In words, with what it stands for: `site class C, because no site was given`.
-    Said(String),
+/// Something about the shaking that nobody stated.
+#[derive(Debug, Clone, PartialEq, EnumCount)]
+pub enum Assumed {
+    /// The hazard of this place; `None`: of the built-in study.
+    Place(Option<String>),
+    /// The class of the site, with what it is: `site class C`.
+    Site(String),
+    /// The return period \[years\].
+    ReturnPeriod(u32),
+    /// That there is no vertical motion.
+    NoVertical,
+    /// The building, by the number of its storeys.
+    Building(usize),
     /// The height of every storey \[m\].
     StoreyHeight(f64),
+    /// The period of the building.
+    FirstPeriod {
+        /// The period \[s\].
+        period_s: f64,
+        /// What it is from.
+        from: PeriodFrom,
+    },
+    /// The damping of the building.
+    Damping(f64),
+    /// The deformation of the building: that of walls and frames.
+    WallsAndFrames,
+}
+
+impl Assumed {
+    /// Whether it is of the building.
+    pub fn is_of_building(&self) -> bool {
+        match self {
+            Self::Place(_) | Self::Site(_) | Self::ReturnPeriod(_) | Self::NoVertical => false,
+            Self::Building(_)
+            | Self::StoreyHeight(_)
+            | Self::FirstPeriod { .. }
+            | Self::Damping(_)
+            | Self::WallsAndFrames => true,
+        }
+    }
 }
 
 /// What a study leaves to the built-in study.
@@ -312,29 +321,6 @@ impl Ground {
         }
     }
 
-    /// Where the vertical motion comes from, in words.
-    pub fn vertical_words(&self) -> String {
-        match self {
-            Self::Synthetic(SyntheticGround {
-                vertical: VerticalTarget::Ratio(ratio),
-                ..
-            }) => {
-                format!(
-                    "matched to {} of the target at every period, with phases of its own",
-                    number(*ratio, 3)
-                )
-            }
-            Self::Synthetic(SyntheticGround {
-                vertical: VerticalTarget::Code,
-                ..
-            }) => "matched to the vertical spectrum of the code, with phases of its own".to_owned(),
-            Self::Recorded(_) if self.has_vertical() => {
-                "the vertical components of the records".to_owned()
-            }
-            _ => "horizontal only".to_owned(),
-        }
-    }
-
     /// Whether the motions have two horizontal components.
     pub fn has_two_components(&self, levels: &[Level]) -> bool {
         self.recorded(levels).any(|motion| motion.across.is_some())
@@ -391,31 +377,6 @@ pub struct SimulatedGround {
 }
 
 impl SimulatedGround {
-    /// The earthquakes of the motions, for a title: `a simulated earthquake of magnitude 6 at 30
-    /// km`.
-    pub fn title_words(&self) -> String {
-        let each = |found: &FoundEarthquake| {
-            let (magnitude, km) = (
-                number(found.source.magnitude, 3),
-                number(found.source.distance_m / 1e3, 2),
-            );
-            format!("magnitude {magnitude} at {km} km")
-        };
-        match (&self.hazard, &self.earthquakes[..]) {
-            (Some(code), _) => {
-                format!("simulated earthquakes equivalent to {}", code.title_words())
-            }
-            (None, [one]) => {
-                format!(
-                    "a simulated earthquake of {}, site class {}",
-                    each(one),
-                    self.request.site.name()
-                )
-            }
-            (None, _) => "simulated earthquakes".to_owned(),
-        }
-    }
-
     /// Every motion: its earthquake, and its number among those of the earthquake.
     pub fn motions(&self) -> impl Iterator<Item = (&FoundEarthquake, u64)> {
         self.earthquakes

@@ -9,6 +9,7 @@ use freestand::code_spectrum::{
 
 use super::Target;
 use super::code::{Code, missing, needed};
+use super::doubt::{AnnexSpectrum, TargetDoubt};
 use super::named::named_place;
 use crate::places::{FAR_KM, Place, PlaceHazard};
 use freestand_input::quantity::{Dimension, shorten};
@@ -45,8 +46,14 @@ pub(super) fn at(place: Option<&Place>, mut target: Target) -> Target {
     ];
     // The first fact is the code.
     target.facts.splice(1..1, facts);
-    target.warnings.extend(place.doubt());
-    target.warnings.extend(place.derived_doubt());
+    target.doubts.extend(place.doubt().map(TargetDoubt::Place));
+    let derived = place.derived.filter(|one| one.between_years.is_none());
+    target
+        .doubts
+        .extend(derived.map(|derived| TargetDoubt::Derived {
+            place: place.name.to_string(),
+            derived,
+        }));
     target.place = Some(place.clone());
     target
 }
@@ -77,11 +84,9 @@ pub(super) fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Ta
         format!("{}, elastic, 5 % damping", spectrum.name()),
     )];
     all.extend(facts);
-    let warnings: Vec<String> = spectrum.doubt().into_iter().map(str::to_owned).collect();
-    all.extend(
-        warnings
-            .iter()
-            .map(|doubt| fact("Not confirmed", doubt.as_str())),
+    let is_unread = matches!(
+        &spectrum,
+        CodeSpectrum::As1170_4(code) if code.edition() == Edition::As1170_4Ed2024Unconfirmed
     );
     Target {
         spectrum,
@@ -92,8 +97,8 @@ pub(super) fn target(spectrum: CodeSpectrum, facts: Vec<(String, String)>) -> Ta
         parts_edition: None,
         file: None,
         table_csv: None,
-        warnings,
-        period_warnings: Vec::new(),
+        doubts: Vec::from_iter(is_unread.then_some(TargetDoubt::EditionUnread)),
+        period_doubts: Vec::new(),
     }
 }
 
@@ -158,18 +163,17 @@ pub(super) fn as1170_4(reader: &mut WordReader, place: Option<&Place>) -> Option
     let mut target = at(place, target(code.into(), facts));
     target.place_is_assumed = place_is_assumed;
     if place_is_assumed {
-        target.warnings.push(format!(
-            "no place is stated: the hazard is that of {DEFAULT_CITY}; give `place`, or a hazard of your own"
-        ));
+        let doubt = TargetDoubt::PlaceAssumed(DEFAULT_CITY);
+        target.doubts.push(doubt);
     }
-    if let Some(least) = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs())
-    {
-        target.warnings.push(format!(
-            "the code's minimum kpZ of {least} for {} years governs: Z = {} would give less",
-            code.return_period_years(),
-            code.hazard_factor()
-        ));
-    }
+    let least = minimum_kpz(code.return_period_years()).filter(|_| code.minimum_governs());
+    target
+        .doubts
+        .extend(least.map(|least_ratio| TargetDoubt::MinimumGoverns {
+            least_ratio,
+            years: code.return_period_years(),
+            hazard_factor: code.hazard_factor(),
+        }));
     Some(target)
 }
 
@@ -431,26 +435,18 @@ pub(super) fn eurocode8(reader: &mut WordReader, place: Option<&Place>) -> Optio
             .push(fact("Return period", format!("{years} years")));
     }
     if let Some(other) = alternative {
-        let [one, two] = [&code, &other].map(|code| {
-            let a_g = in_g(code.reference_acceleration_g());
-            format!("type {} (a_gR = {a_g})", code.spectrum_type().number())
+        let both = [&code, &other].map(|code| AnnexSpectrum {
+            number: code.spectrum_type().number(),
+            reference_acceleration_g: code.reference_acceleration_g(),
         });
         target
             .facts
-            .push(fact("Second spectrum of the annex", two.as_str()));
-        target.warnings.push(format!(
-            "the national annex has two spectra, {one} and {two}: assessments calculate both and take the worse for \
-             each object, restraints are designed for the larger acceleration of the ground, and everything else uses \
-             {one} alone, whose velocity is the larger, unless a study states spectrum_type"
-        ));
+            .push(fact("Second spectrum of the annex", both[1].name()));
+        target.doubts.push(TargetDoubt::TwoSpectra(both));
         target.alternative = Some(other.into());
     }
     if !code.is_recommended() && annex.is_none() && !is_shape {
-        target.warnings.push(
-            "the soil factor or the corner periods differ from those that EN 1998-1 recommends: check them against \
-             the national annex"
-                .to_owned(),
-        );
+        target.doubts.push(TargetDoubt::OwnShape);
     }
     Some(target)
 }
@@ -579,7 +575,7 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&Place>) -> Option<Ta
         false => Some(DEFAULT_LONG_PERIOD_S),
     };
     let mut facts = Vec::new();
-    let (mut warnings, mut period_warnings) = (Vec::new(), Vec::new());
+    let (mut doubts, mut period_doubts) = (Vec::new(), Vec::new());
     let code = if is_mapped {
         let (ss, s1) = match place.map(|place| place.hazard) {
             Some(PlaceHazard::Asce7 { ss_g, s1_g }) => (Some(ss_g), Some(s1_g)),
@@ -609,18 +605,10 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&Place>) -> Option<Ta
             format!("{}, {}", number(fa, 4), number(fv, 4)),
         ));
         if asks_for_study {
-            period_warnings.push(
-                "ASCE 7-16, 11.4.8, asks for a site-specific study on site class D where S1 is 0.2 g or more; Fv of \
-                 Table 11.4-2 is used instead, without the increase of SM1 by half that Supplement 3 allows in its \
-                 place: long periods may be underestimated"
-                    .to_owned(),
-            );
+            period_doubts.push(TargetDoubt::AsksForStudy);
         }
         if site.is_some() && edition == Some(Asce7Edition::Asce7_22) {
-            warnings.push(
-                "the site coefficients, and the values of places, are those of ASCE 7-16: ASCE 7-22 has no such tables"
-                    .to_owned(),
-            );
+            doubts.push(TargetDoubt::CoefficientsOf2016);
         }
         let result = Asce7::from_mapped(edition?, (ss, fa), (s1, fv), long_period_s?);
         let code = made(reader, &["ss", "s1", "fa", "fv", "long_period"], result)?;
@@ -646,8 +634,8 @@ pub(super) fn asce7(reader: &mut WordReader, place: Option<&Place>) -> Option<Ta
         format!("{t0_s} s, {ts_s} s, {tl_s} s{assumed}"),
     ));
     let mut target = at(place, target(code.into(), facts));
-    target.warnings.extend(warnings);
-    target.period_warnings = period_warnings;
+    target.doubts.extend(doubts);
+    target.period_doubts = period_doubts;
     let in_force = place.and_then(parts_edition_in_force);
     target.parts_edition = in_force.filter(|_| !reader.has("edition"));
     Some(target)
@@ -801,10 +789,8 @@ pub(super) fn nzs1170_5(reader: &mut WordReader, place: Option<&Place>) -> Optio
     ];
     let mut target = at(place, target(code.into(), facts));
     if code.maximum_governs() {
-        target.warnings.push(format!(
-            "Z R = {} is above the maximum of NZS 1170.5, so 0.7 governs",
-            number(code.hazard_factor() * code.return_factor_ratio(), 4)
-        ));
+        let zr_ratio = code.hazard_factor() * code.return_factor_ratio();
+        target.doubts.push(TargetDoubt::MaximumGoverns { zr_ratio });
     }
     Some(target)
 }

@@ -18,6 +18,7 @@ use freestand_records::tables::hazard::{
 
 use super::code::Code;
 use super::codes::{self, fact};
+use super::doubt::TargetDoubt;
 use super::named::named_place;
 use super::table::{self, Rows};
 use super::words::{Remedies, check_keys};
@@ -114,10 +115,10 @@ fn read(words: &Words, path: &Path, bytes: &[u8], remedies: Remedies) -> Result<
         };
         let mut target = target?;
         if let Some(statistic) = site.other_than_mean() {
-            target.warnings.push(format!(
-                "the file {name} is {} of its hazard model, not the mean: rates and losses from it are not means",
-                statistic.name_with_article()
-            ));
+            target.doubts.push(TargetDoubt::NotMean {
+                name,
+                statistic: statistic.clone(),
+            });
         }
         target.file = Some(file);
         Some(target)
@@ -283,20 +284,18 @@ fn of_spectrum(
     }
     let mut target = target?;
     if is_held {
-        target.warnings.push(format!(
-            "the spectrum {name} ends at {} s: the displacement is taken as constant beyond",
-            number(last_s, 4)
-        ));
-    }
-    if let (Some(at), Some(km)) = (site.at, site.distance_km) {
-        let years = spectrum.years.map_or_else(String::new, |years| {
-            format!(" at {} years", number(years, 4))
+        target.doubts.push(TargetDoubt::EndsEarly {
+            name: name.to_owned(),
+            last_s,
         });
-        target.warnings.push(format!(
-            "the spectrum{years} is that of the site of {name} at {}, {} km away",
-            at.words(),
-            number(km, 2)
-        ));
+    }
+    if let (Some(at), Some(distance_km)) = (site.at, site.distance_km) {
+        target.doubts.push(TargetDoubt::OtherSite {
+            name: name.to_owned(),
+            years: spectrum.years,
+            at,
+            distance_km,
+        });
     }
     target.facts.extend(facts(site, spectrum.years));
     Some(target)
@@ -326,7 +325,10 @@ fn facts(site: &SiteHazard, years: Option<f64>) -> Vec<(String, String)> {
 
 #[cfg(test)]
 mod tests {
+    use freestand_records::tables::hazard::Statistic;
+
     use super::*;
+    use crate::places::WhyDoubted;
 
     fn in_file(name: &str, text: &str, pairs: &[(&'static str, &str)]) -> Result<Target, Problems> {
         let folder = tempfile::tempdir().unwrap();
@@ -353,19 +355,18 @@ mod tests {
     #[test]
     fn a_file_says_what_it_is() {
         let place = [("place", "41.0, 28.9"), ("return_period_years", "475")];
-        let said = |text: &str| {
-            let target = in_file("uhs.csv", text, &place).unwrap();
-            target.warnings.join("; ")
-        };
-        for (kind, name) in [
-            ("quantile-0.84", "the 84 % quantile"),
-            ("rlz-001", "one realization"),
+        let doubts = |text: &str| in_file("uhs.csv", text, &place).unwrap().doubts;
+        for (kind, statistic) in [
+            ("quantile-0.84", Statistic::Quantile(0.84)),
+            ("rlz-001", Statistic::Realization),
         ] {
-            let told = said(&SPECTRA.replace("mean", kind));
-            let wanted = format!("uhs.csv is {name} of its hazard model, not the mean: rates");
-            assert!(told.contains(&wanted), "{told}");
+            let found = doubts(&SPECTRA.replace("mean", kind));
+            let name = "uhs.csv".to_owned();
+            let wanted = TargetDoubt::NotMean { name, statistic };
+            assert!(found.contains(&wanted), "{found:?}");
         }
-        assert!(!said(SPECTRA).contains("of its hazard model"));
+        let is_not_mean = |doubt: &TargetDoubt| matches!(doubt, TargetDoubt::NotMean { .. });
+        assert!(!doubts(SPECTRA).iter().any(is_not_mean));
         let values = r#"{"response":{"data":{"ss":1.9,"s1":0.7,"tl":12}}}"#;
         let fact = |text: &str, pairs: &[(&'static str, &str)]| {
             let target = in_file("values.json", text, pairs).unwrap();
@@ -402,9 +403,9 @@ mod tests {
                 ("table", Ok(()))
             );
             assert!(
-                target.warnings[0].contains("ends at 1 s"),
+                matches!(target.doubts[0], TargetDoubt::EndsEarly { last_s: 1.0, .. }),
                 "{:?}",
-                target.warnings
+                target.doubts
             );
             let fact = |name: &str| {
                 let found = target.facts.iter().find(|fact| fact.0 == name);
@@ -514,11 +515,15 @@ mod tests {
         .unwrap();
         // Type 1, rock: 2.5 a_g.
         assert!((target.spectrum.sa_g(0.2) - 0.75).abs() < 1e-12);
-        let doubt = target.warnings.join("; ");
-        assert!(
-            doubt.contains("because the file has the peak ground acceleration alone"),
-            "{doubt}"
-        );
+        let why = match &target.doubts[..] {
+            [TargetDoubt::Place(doubt)] => doubt.why,
+            other => panic!("{other:?}"),
+        };
+        let shape = WhyDoubted::Shape {
+            by: None,
+            is_approximate: false,
+        };
+        assert_eq!(why, shape);
         assert!(!target.has_parts());
         let curves = r#"{"response":[{"metadata":{"imt":{"value":"PGA"},"xvals":[0.1,1]},"data":[{"yvals":[0.01,0.0001]}]},
             {"metadata":{"imt":{"value":"SA0P2"},"xvals":[0.2,2]},"data":[{"yvals":[0.01,0.0001]}]}]}"#;

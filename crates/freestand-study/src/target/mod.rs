@@ -3,6 +3,7 @@
 mod code;
 mod codes;
 mod countries;
+mod doubt;
 mod downloaded;
 mod named;
 mod parts;
@@ -20,6 +21,7 @@ use freestand::synthesis;
 
 pub(crate) use code::Code;
 pub use codes::DEFAULT_YEARS;
+pub use doubt::{AnnexSpectrum, TargetDoubt};
 pub(crate) use named::place_of;
 pub use spectrum::{
     CodeParts, CodeSpectrumReport, PartsLevel, PartsReport, code_parts, code_spectrum,
@@ -34,7 +36,6 @@ use freestand_input::file::{InputFile, file_name};
 use freestand_input::keys::Words;
 use freestand_input::problem::{Problem, Problems};
 use freestand_input::words::number;
-use freestand_output::answer_of;
 
 /// A spectrum, with everything that outputs state about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,10 +58,10 @@ pub struct Target {
     /// A table as text, for outputs that need no other file: reading it gives the same bits.
     pub table_csv: Option<String>,
     /// What the reader must know.
-    pub warnings: Vec<String>,
+    pub doubts: Vec<TargetDoubt>,
     /// What the reader must know about periods above about 1 s, and about nothing else;
-    /// [`Self::resolve`] adds it to the warnings.
-    period_warnings: Vec<String>,
+    /// [`Self::resolve`] adds it to the others.
+    period_doubts: Vec<TargetDoubt>,
 }
 
 impl Target {
@@ -99,7 +100,7 @@ impl Target {
         let of_file = downloaded::resolve(words, base_dir, remedies);
         let found = of_file.unwrap_or_else(|| words::resolve(words, base_dir, remedies));
         found.map(|mut target| {
-            target.warnings.append(&mut target.period_warnings);
+            target.doubts.append(&mut target.period_doubts);
             target
         })
     }
@@ -162,7 +163,7 @@ impl Target {
     }
 
     /// The spectrum by AS 1170.4, if it is one.
-    fn as1170_4(&self) -> Option<&As1170_4> {
+    pub fn as1170_4(&self) -> Option<&As1170_4> {
         if let CodeSpectrum::As1170_4(code) = &self.spectrum {
             Some(code)
         } else {
@@ -204,19 +205,6 @@ impl Target {
     /// The type of the other spectrum of the national annex, where that has two.
     pub fn other_type(&self) -> Option<u8> {
         spectrum_type(self.alternative.as_ref()?)
-    }
-
-    /// The facts for reports, each as a name and a value.
-    pub fn fact_rows(&self) -> Vec<(&str, String)> {
-        self.facts
-            .iter()
-            .map(|(name, value)| (name.as_str(), value.clone()))
-            .collect()
-    }
-
-    /// Its facts, as documents have them.
-    pub(crate) fn named_facts(&self) -> Vec<NamedFact<'_>> {
-        self.facts.iter().map(NamedFact).collect()
     }
 
     /// On one line: `AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ =
@@ -326,51 +314,6 @@ impl Target {
         }
     }
 
-    /// The earthquake, for a title: `a 500-year earthquake: Melbourne, site class De`.
-    pub fn title_words(&self) -> String {
-        match &self.spectrum {
-            CodeSpectrum::As1170_4(code) => {
-                let place = self
-                    .place_name()
-                    .unwrap_or_else(|| format!("Z = {}", code.hazard_factor()));
-                let years = code.return_period_years();
-                format!(
-                    "a {years}-year earthquake: {place}, site class {}",
-                    code.site().name()
-                )
-            }
-            CodeSpectrum::Nzs1170_5(code) => {
-                let years = code.return_period_years();
-                let place = self
-                    .place_name()
-                    .unwrap_or_else(|| format!("NZS 1170.5, Z = {}", code.hazard_factor()));
-                format!(
-                    "a {years}-year earthquake: {place}, site class {}",
-                    code.site().name()
-                )
-            }
-            CodeSpectrum::Table(_) => {
-                format!("an earthquake with the spectrum {}", self.file_name())
-            }
-            CodeSpectrum::Eurocode8(_)
-            | CodeSpectrum::Asce7(_)
-            | CodeSpectrum::Ntc2018(_)
-            | CodeSpectrum::Tbdy2018(_)
-            | CodeSpectrum::Ts1170_5(_) => match self.place_name() {
-                Some(place) => format!(
-                    "an earthquake by {}: {place}, {}",
-                    self.spectrum.name(),
-                    self.site_words()
-                ),
-                None => format!(
-                    "an earthquake by {}: {}",
-                    self.spectrum.name(),
-                    self.parameters()
-                ),
-            },
-        }
-    }
-
     /// The site that the plateau of the spectrum belongs to: `site class De`.
     pub fn site_words(&self) -> String {
         match (&self.spectrum, self.spectrum.site_name()) {
@@ -428,7 +371,7 @@ impl Target {
     }
 
     /// The name of the table's file.
-    fn file_name(&self) -> String {
+    pub fn file_name(&self) -> String {
         let name = self.file.as_ref().and_then(|file| file_name(&file.path));
         name.unwrap_or_else(|| "of the user".to_owned())
     }
@@ -441,36 +384,6 @@ fn spectrum_type(spectrum: &CodeSpectrum) -> Option<u8> {
         _ => None,
     }
 }
-
-answer_of!(Target as target {
-    code: &'static str = target.spectrum.name();
-    /// The class of the site.
-    site: Option<&'static str> = target.spectrum.site_name();
-    /// The place whose hazard was used.
-    place: Option<&Place> = target.place.as_ref();
-    hazard: HazardOf<'_> = HazardOf(Some(target)) => flat;
-    /// Whether the minimum of kpZ governs, by AS 1170.4.
-    minimum_kpz_governs: Option<bool> = target.as1170_4().map(As1170_4::minimum_governs);
-    /// Its description and the sources of its numbers.
-    facts: Vec<NamedFact<'_>> = target.named_facts();
-});
-
-answer_of!(
-    /// The hazard of a target; without one, its values are null.
-    pub(crate) struct HazardOf<'t>(pub(crate) Option<&'t Target>) as of {
-    /// Z.
-    hazard_factor: Option<f64> = of.0.and_then(Target::hazard_factor);
-    return_period_years: Option<u64> =
-        of.0.and_then(Target::return_period_years).map(u64::from);
-    kpz_g: Option<f64> = of.0.and_then(Target::kpz_g);
-});
-
-answer_of!(
-    /// A name and a value.
-    pub(crate) struct NamedFact<'t>(&'t (String, String)) as fact {
-    name: String = fact.0.0.clone();
-    value: String = fact.0.1.clone();
-});
 
 #[cfg(test)]
 mod tests;

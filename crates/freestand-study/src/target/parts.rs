@@ -9,6 +9,7 @@ use freestand_input::words::number;
 use super::Target;
 use super::code::{CODES, Code};
 use super::codes::DEFAULT_LONG_PERIOD_WORDS;
+use super::doubt::TargetDoubt;
 use super::named::named_place;
 use super::words::{self, Remedies};
 use crate::places::{Place, PlaceHazard};
@@ -96,7 +97,7 @@ impl Target {
         match words::resolve(&words, "".as_ref(), Remedies::Parts) {
             // The clauses use no long periods.
             Ok(target) => Ok(Self {
-                period_warnings: Vec::new(),
+                period_doubts: Vec::new(),
                 ..target.of_larger_type()
             }),
             Err(mut problems) => {
@@ -118,10 +119,11 @@ impl Target {
         Self {
             spectrum,
             alternative: None,
-            warnings: self
+            doubts: self
                 .place
                 .as_ref()
                 .and_then(Place::doubt)
+                .map(TargetDoubt::Place)
                 .into_iter()
                 .collect(),
             ..self

@@ -6,9 +6,9 @@ use freestand::code_spectrum::CodeSpectrum;
 use freestand::code_spectrum::parts::{PartsQuestion, clause, floor_acceleration_g};
 use freestand::synthesis::matched_periods_s;
 use freestand_input::problem::{Problem, Problems};
+use freestand_output::answer;
 use freestand_output::rows::table_of_columns;
 use freestand_output::table::Table;
-use freestand_output::{answer, answer_of};
 
 use super::Target;
 
@@ -67,16 +67,6 @@ pub struct CodeSpectrumReport {
     /// The values at the corners \[g\].
     pub corners_g: Vec<f64>,
 }
-
-answer_of!(CodeSpectrumReport as report {
-    target: &Target = &report.target => flat;
-    corner_periods_s: Vec<f64>;
-    periods_s: Vec<f64>;
-    sa_g: Vec<f64>;
-    /// Given by Eurocode 8 only.
-    vertical_sa_g: Option<Vec<f64>>;
-    parts: Option<PartsReport>;
-});
 
 answer! {
     /// Accelerations of rigid parts over the height of a building.

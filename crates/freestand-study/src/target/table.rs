@@ -8,6 +8,7 @@ use freestand::synthesis::DAMPING_RATIO;
 
 use super::Target;
 use super::code::{Code, missing};
+use super::doubt::TargetDoubt;
 use freestand_input::problem::Problem;
 use freestand_input::word_reader::WordReader;
 use freestand_input::words::number;
@@ -105,14 +106,12 @@ pub(super) fn made(
         .iter()
         .map(|(period_s, psa)| format!("{},{psa}\n", period_s + 0.0))
         .collect();
-    let mut warnings = Vec::new();
-    if out_of_range == OutOfRange::Hold && spectrum.first_period_s() > 0.0 {
-        warnings.push(format!(
-            "the spectrum {} begins at {} s: its first value applies below, and the PGA of motions is compared with it",
-            name,
-            number(spectrum.first_period_s(), 4)
-        ));
-    }
+    let first_s = spectrum.first_period_s();
+    let begins_late =
+        (out_of_range == OutOfRange::Hold && first_s > 0.0).then(|| TargetDoubt::BeginsLate {
+            name: name.to_owned(),
+            first_s,
+        });
     Some(Target {
         facts: facts(&spectrum, name),
         spectrum: spectrum.into(),
@@ -122,8 +121,8 @@ pub(super) fn made(
         alternative: None,
         parts_edition: None,
         table_csv: Some(format!("period [s],PSA [m/s2]\n{lines}")),
-        warnings,
-        period_warnings: Vec::new(),
+        doubts: begins_late.into_iter().collect(),
+        period_doubts: Vec::new(),
     })
 }
 

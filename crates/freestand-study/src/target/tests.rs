@@ -1,5 +1,6 @@
 use super::code::CODES;
 use super::*;
+use crate::places::WhyDoubted;
 use freestand_input::problem::Problem;
 
 /// Keys and their values.
@@ -31,6 +32,14 @@ fn in_file(name: &str, text: &str, pairs: Pairs) -> Result<Target, Problems> {
     Target::resolve(&words, folder.path())
 }
 
+/// Why the values of the place are doubted.
+fn why(doubts: &[TargetDoubt]) -> Option<WhyDoubted> {
+    doubts.iter().find_map(|doubt| match doubt {
+        TargetDoubt::Place(doubt) => Some(doubt.why),
+        _ => None,
+    })
+}
+
 #[test]
 fn nothing_said_is_melbourne_on_deep_soil() {
     let target = target(&[]);
@@ -38,19 +47,15 @@ fn nothing_said_is_melbourne_on_deep_soil() {
         target.one_line(),
         "AS 1170.4-2007 (Amdt 1, 2), site De, Z = 0.08 (Melbourne), 500 years, kpZ = 0.08 g"
     );
-    assert_eq!(
-        target.title_words(),
-        "a 500-year earthquake: Melbourne, site class De"
-    );
     // Nobody chose it, which is said.
-    assert!(target.place_is_assumed && target.warnings[0].contains("no place is stated"));
+    assert!(target.place_is_assumed);
+    assert_eq!(target.doubts, [TargetDoubt::PlaceAssumed("Melbourne")]);
     assert_eq!(
         (
             target.kpz_g(),
-            target.as1170_4().map(As1170_4::minimum_governs),
-            target.warnings.len()
+            target.as1170_4().map(As1170_4::minimum_governs)
         ),
-        (Some(0.08), Some(false), 1)
+        (Some(0.08), Some(false))
     );
 }
 
@@ -152,23 +157,28 @@ fn every_code_by_its_words() {
 }
 
 #[test]
-fn what_is_not_confirmed_is_said_in_facts_and_warnings() {
+fn what_is_not_confirmed_is_a_doubt() {
     let new = target(&[("edition", "2024")]);
     assert!(new.one_line().starts_with("AS 1170.4:2024 (not confirmed)"));
-    assert!(
-        new.warnings[0].contains("AS 1170.4:2024 was not available")
-            && new.facts.iter().any(|(name, _)| name == "Not confirmed")
-    );
+    assert_eq!(new.doubts[0], TargetDoubt::EditionUnread);
     let hobart = target(&[("city", "hobart")]);
     assert_eq!(hobart.place_name().as_deref(), Some("Hobart"));
-    assert!(hobart.warnings[0].contains("minimum kpZ of 0.08"));
+    let least = TargetDoubt::MinimumGoverns {
+        least_ratio: 0.08,
+        years: 500,
+        hazard_factor: 0.03,
+    };
+    assert_eq!(hobart.doubts, [least]);
     let otira = target(&[
         ("code", "nzs1170.5"),
         ("site", "B"),
         ("hazard_factor", "0.6"),
         ("return_period_years", "2500"),
     ]);
-    assert!(otira.warnings[0].contains("above the maximum of NZS 1170.5, so 0.7 governs"));
+    assert!(matches!(
+        otira.doubts[..],
+        [TargetDoubt::MaximumGoverns { .. }]
+    ));
 }
 
 #[test]
@@ -330,7 +340,11 @@ fn a_short_table_is_refused_for_motions_or_held() {
         (held.spectrum.sa_g(0.0) - 0.3).abs() < 1e-15
             && (held.spectrum.sa_g(4.0) - 0.0125).abs() < 1e-15
     );
-    assert!(held.warnings[0].contains("begins at 0.1 s"));
+    let begins = TargetDoubt::BeginsLate {
+        name: "short.csv".to_owned(),
+        first_s: 0.1,
+    };
+    assert_eq!(held.doubts, [begins]);
 }
 
 #[test]
@@ -433,11 +447,10 @@ fn a_place_brings_its_code_and_its_hazard() {
             assert!(target.check_matched_band().is_ok());
         }
     }
-    let said = |place: &str| target(&[("place", place)]).warnings;
-    assert!(said("Athens")[0].contains("approximate") && said("Sydney").is_empty());
-    assert!(said("Athens")[0].contains("the national annex was not read"));
-    assert!(said("Wellington").is_empty());
-    assert!(said("Los Angeles")[0].contains("site-specific study"));
+    let doubts = |place: &str| target(&[("place", place)]).doubts;
+    assert_eq!(why(&doubts("Athens")), Some(WhyDoubted::AnnexNotRead));
+    assert!(doubts("Sydney").is_empty() && doubts("Wellington").is_empty());
+    assert_eq!(doubts("Los Angeles"), [TargetDoubt::AsksForStudy]);
     assert_eq!(
         target(&[("place", "Los Angeles")]).spectrum.name(),
         "ASCE 7-16"
@@ -453,7 +466,7 @@ fn a_place_brings_its_code_and_its_hazard() {
         chosen.parameters(),
         "site E, SDS = 0.1872 g, SD1 = 0.1764 g (Chicago), TL = 12 s"
     );
-    assert!(chosen.warnings[0].contains("are those of ASCE 7-16"));
+    assert_eq!(chosen.doubts, [TargetDoubt::CoefficientsOf2016]);
     let own = target(&[("place", "Chicago"), ("fa", "1.5"), ("fv", "2")]);
     assert_eq!(
         own.parameters(),
@@ -510,10 +523,16 @@ fn codes_and_shapes_of_other_countries() {
         );
         assert_eq!(target.parameters(), line);
     }
-    let said = |place: &str| target(&[("place", place)]).warnings.join("; ");
-    assert!(said("Istanbul").is_empty() && said("Kaitaia").is_empty() && said("Lorca").is_empty());
-    assert!(said("Quito").contains("the shape of Eurocode 8, type 1"));
-    assert!(said("Kathmandu").contains("is approximate"));
+    for place in ["Istanbul", "Kaitaia", "Lorca"] {
+        assert_eq!(target(&[("place", place)]).doubts, [], "{place}");
+    }
+    for (place, is_approximate) in [("Quito", false), ("Kathmandu", true)] {
+        let found = why(&target(&[("place", place)]).doubts);
+        assert!(
+            matches!(found, Some(WhyDoubted::Shape { by: Some(_), is_approximate: also }) if also == is_approximate),
+            "{place}: {found:?}"
+        );
+    }
     let rare = target(&[("place", "Istanbul"), ("return_period_years", "2475")]);
     assert!((rare.spectrum.plateau_g() - 1.747).abs() < 1e-12);
     let azores = target(&[("place", "Ponta Delgada")]);
@@ -650,13 +669,8 @@ fn a_return_period_that_the_table_lacks() {
         "{:?}",
         athens.facts
     );
-    let warned =
-        "is derived, not read: the value of 475 years × 1.73 (1.46 to 2.38), for screening only";
-    assert!(
-        athens.warnings.iter().any(|one| one.contains(warned)),
-        "{:?}",
-        athens.warnings
-    );
+    let is_derived = |doubt: &TargetDoubt| matches!(doubt, TargetDoubt::Derived { .. });
+    assert!(athens.doubts.iter().any(is_derived), "{:?}", athens.doubts);
     assert!(
         athens.one_line().contains("(Athens, approximate, derived)"),
         "{}",

@@ -11,9 +11,11 @@ mod request;
 use std::path::Path;
 
 use crate::resolve::{Overrides, resolve_with};
-use crate::result::{NoResult, Sensitivity, StudyResult, VariedLevel};
+use crate::result::{
+    NoResult, NotVaried, Same, Sensitivity, StudyResult, VariedLevel, WhyNotVaried,
+};
 use crate::run::{Progress, run};
-use crate::study::Study;
+use crate::study::{Study, StudyDoubt};
 use crate::summary::{LevelSummary, level_summary};
 use freestand_input::problem::Problems;
 
@@ -75,9 +77,10 @@ pub fn vary(
         .iter()
         .filter(|change| rows.iter().all(|row| row.parameter != change.key))
     {
-        left_out.push(format!(
-            "{key} is not varied: none of its default values changes the model"
-        ));
+        left_out.push(NotVaried {
+            key,
+            why: WhyNotVaried::DefaultsChangeNothing,
+        });
     }
     Ok(Sensitivity { rows, left_out })
 }
@@ -123,11 +126,11 @@ fn varied_study(study: &Study, change: &Change, overrides: &Overrides) -> Result
 }
 
 /// What stays the same where a change does not affect the model.
-fn unchanged(change: &Change) -> &'static str {
+fn unchanged(change: &Change) -> Same {
     match change.table {
-        "building" => "the building has the same modes",
-        "objects" => "the objects and their cushion are the same",
-        _ => "the motions have the same spectrum and seed, or are the same records",
+        "building" => Same::Modes,
+        "objects" => Same::Objects,
+        _ => Same::Motions,
     }
 }
 
@@ -138,13 +141,11 @@ fn rows(
     result: &StudyResult,
     base: &StudyResult,
 ) -> Vec<VariedLevel> {
-    let warnings: Vec<&str> = result
-        .warnings
-        .iter()
-        .filter(|warning| !base.warnings.contains(warning))
-        .map(String::as_str)
+    let doubts = result.doubts.iter();
+    let doubts: Vec<StudyDoubt> = doubts
+        .filter(|doubt| !base.doubts.contains(doubt))
+        .cloned()
         .collect();
-    let warnings = (!warnings.is_empty()).then(|| warnings.join("; "));
     let levels = result.levels.iter().zip(&base.levels);
     levels
         .map(|(level, base)| {
@@ -189,7 +190,7 @@ fn rows(
                     .then(|| varied_g / base_g),
                 compared_objects: Some(both.len()),
                 reason: None,
-                warnings: warnings.clone(),
+                doubts: doubts.clone(),
             }
         })
         .collect()
@@ -210,7 +211,7 @@ fn rows_without(change: &Change, study: &Study, reason: &NoResult) -> Vec<Varied
         edge_acceleration_ratio: None,
         compared_objects: None,
         reason: Some(reason.clone()),
-        warnings: None,
+        doubts: Vec::new(),
     };
     study.levels.iter().map(row).collect()
 }

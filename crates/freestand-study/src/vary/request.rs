@@ -7,6 +7,7 @@ use freestand::code_spectrum::{
 
 use crate::options::Change;
 use crate::resolve::Overrides;
+use crate::result::{NotVaried, WhyNotVaried};
 use crate::study::{Ground, Study};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::shorten;
@@ -135,17 +136,18 @@ pub fn parse_variation(text: &str) -> Result<Variation, Problem> {
     Ok(Variation { key, values })
 }
 
-/// The changes that variations ask for, and one sentence for each variation that does not apply to
-/// this study under these overrides.
+/// The changes that variations ask for, and the variations that do not apply to this study under these
+/// overrides.
 pub fn changes(
     study: &Study,
     variations: &[Variation],
     overrides: &Overrides,
-) -> (Vec<Change>, Vec<String>) {
+) -> (Vec<Change>, Vec<NotVaried>) {
     let (mut changes, mut left_out) = (Vec::new(), Vec::new());
     for Variation { key, values } in variations {
-        if let Some(reason) = inapplicable(study, key, overrides) {
-            left_out.push(format!("{} is not varied: {reason}", key.name));
+        let not_varied = |why| NotVaried { key: key.name, why };
+        if let Some(why) = inapplicable(study, key, overrides) {
+            left_out.push(not_varied(why));
             continue;
         }
         let is_default = values.is_empty();
@@ -155,10 +157,7 @@ pub fn changes(
             values.clone()
         };
         if values.is_empty() {
-            left_out.push(format!(
-                "{} is not varied: it has no default values here; give some, as in \"{} = …\"",
-                key.name, key.name
-            ));
+            left_out.push(not_varied(WhyNotVaried::NoDefaults));
         }
         changes.extend(values.into_iter().map(|value| Change {
             table: key.table,
@@ -171,23 +170,21 @@ pub fn changes(
     (changes, left_out)
 }
 
-fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'static str> {
+fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<WhyNotVaried> {
     match (key.table, key.name) {
-        ("ground", _) if overrides.motions.is_some() => {
-            Some("[ground] is not used: other motions were given in its place")
-        }
+        ("ground", _) if overrides.motions.is_some() => Some(WhyNotVaried::OtherMotions),
         ("ground", name) => inapplicable_ground(&study.ground, name),
         ("building", name) => match &study.building {
-            None => Some("the study gives the motions of the floors"),
+            None => Some(WhyNotVaried::MotionsOfFloors),
             Some(input) => match (input.along.model(), name) {
                 (_, "damping") => input
                     .tables
                     .iter()
                     .any(|table| !table.is_across && table.states_damping)
-                    .then_some("the table states the damping of every mode"),
+                    .then_some(WhyNotVaried::DampingOfTable),
                 (Model::Beam { .. }, _) | (Model::Shear { .. }, "modes") => None,
                 (Model::Shear { .. } | Model::Table { .. }, _) => {
-                    Some("the building comes from a table")
+                    Some(WhyNotVaried::BuildingOfTable)
                 }
             },
         },
@@ -195,24 +192,24 @@ fn inapplicable(study: &Study, key: &Key, overrides: &Overrides) -> Option<&'sta
     }
 }
 
-fn inapplicable_ground(ground: &Ground, name: &str) -> Option<&'static str> {
+fn inapplicable_ground(ground: &Ground, name: &str) -> Option<WhyNotVaried> {
     let is_matched = matches!(ground, Ground::Recorded(_)) && ground.target().is_some();
     let is_suite = ground.suite().is_some();
     match (ground, name) {
-        (Ground::Synthetic(_), "scale") => Some("synthetic motions follow their target"),
+        (Ground::Synthetic(_), "scale") => Some(WhyNotVaried::Synthetic),
         (Ground::Synthetic(_), _) => None,
-        (Ground::Simulated(_), "scale") => Some("simulated motions follow their source"),
+        (Ground::Simulated(_), "scale") => Some(WhyNotVaried::Simulated),
         (Ground::Simulated(_), "seed" | "site") => None,
         (Ground::Simulated(simulated), _) if simulated.hazard.is_some() => None,
-        (Ground::Simulated(_), _) => Some("the motions are of one magnitude and distance"),
-        (_, "seed") if is_matched => Some("the motions are matched records"),
-        (_, "seed") if is_suite => Some("the motions are records of a suite"),
-        (_, "scale") if is_suite => Some("the factors of a suite follow its target"),
+        (Ground::Simulated(_), _) => Some(WhyNotVaried::OneEarthquake),
+        (_, "seed") if is_matched => Some(WhyNotVaried::MatchedSeed),
+        (_, "seed") if is_suite => Some(WhyNotVaried::SuiteSeed),
+        (_, "scale") if is_suite => Some(WhyNotVaried::SuiteScale),
         (_, _) if is_suite => None,
-        (_, "scale") if is_matched => Some("matched records follow their target"),
+        (_, "scale") if is_matched => Some(WhyNotVaried::MatchedScale),
         (_, "scale") => None,
         (_, _) if is_matched => None,
-        _ => Some("the motions are read from files"),
+        _ => Some(WhyNotVaried::Files),
     }
 }
 

@@ -73,8 +73,12 @@ fn a_variation_changes_one_value() {
     assert!(softer.pfa_g_median > base.pfa_g_median);
 }
 
-fn reason(row: &VariedLevel) -> String {
-    row.reason.as_ref().unwrap().to_string()
+fn reason(row: &VariedLevel) -> &NoResult {
+    row.reason.as_ref().unwrap()
+}
+
+fn not_varied(key: &'static str, why: WhyNotVaried) -> NotVaried {
+    NotVaried { key, why }
 }
 
 /// A folder with a study and its files.
@@ -141,23 +145,19 @@ fn what_does_not_reach_the_model_is_said() {
         &["hazard_factor = 0.05", "hazard_factor = 0.2"],
         &Overrides::default(),
     );
-    for (row, why) in own.rows[1..].iter().zip([
-        "building has the same modes",
-        "same spectrum",
-        "objects and their",
-    ]) {
-        let Some(NoResult::Unchanged(what)) = row.reason else {
-            panic!("{row:?}")
-        };
-        assert!(what.contains(why), "{what}");
+    for (row, same) in own.rows[1..]
+        .iter()
+        .zip([Same::Modes, Same::Motions, Same::Objects])
+    {
+        assert_eq!(reason(row), &NoResult::Unchanged(same));
         assert_eq!((row.pfa_g_median, row.uplift_share), (None, None));
     }
     assert_eq!(
         (own.rows.len(), annex.rows.len(), least.rows.len()),
         (4, 2, 3)
     );
-    assert!(reason(&annex.rows[1]).contains("nothing changes: the motions have the same spectrum"));
-    assert!(reason(&least.rows[1]).contains("nothing changes: the motions have the same spectrum"));
+    assert_eq!(reason(&annex.rows[1]), &NoResult::Unchanged(Same::Motions));
+    assert_eq!(reason(&least.rows[1]), &NoResult::Unchanged(Same::Motions));
     assert!(
         least.rows[2].reason.is_none() && least.rows[2].pfa_g_median > least.rows[0].pfa_g_median
     );
@@ -167,7 +167,7 @@ fn what_does_not_reach_the_model_is_said() {
     assert_eq!(defaults.rows.len(), 1);
     assert_eq!(
         defaults.left_out,
-        ["site is not varied: none of its default values changes the model"]
+        [not_varied("site", WhyNotVaried::DefaultsChangeNothing)]
     );
 }
 
@@ -187,17 +187,9 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
         &Overrides::default(),
     );
     assert_eq!(list, []);
-    assert_eq!(
-        left_out[0],
-        "damping is not varied: the table states the damping of every mode"
-    );
-    assert_eq!(
-        (&left_out[1], left_out[2].as_str()),
-        (
-            &left_out[0],
-            "period is not varied: the building comes from a table"
-        )
-    );
+    let damping = not_varied("damping", WhyNotVaried::DampingOfTable);
+    let period = not_varied("period", WhyNotVaried::BuildingOfTable);
+    assert_eq!(left_out, [damping, damping, period]);
 
     let motions = MotionFiles {
         paths: vec![folder.path().join("pulse.csv")],
@@ -220,7 +212,7 @@ fn damping_of_a_table_and_records_of_the_command_line_are_not_varied() {
     .unwrap();
     let (list, left_out) = changes(&study, &parsed(&["scale = 2", "seed"]), &overrides);
     assert_eq!((list.len(), left_out.len()), (0, 2));
-    assert!(left_out[0].contains("[ground] is not used"), "{left_out:?}");
+    assert_eq!(left_out[0].why, WhyNotVaried::OtherMotions);
 }
 
 #[test]
@@ -248,7 +240,7 @@ fn a_table_of_storeys_is_varied_in_its_damping_and_modes() {
     };
     assert!(softer.pfa_g_median > base.pfa_g_median);
     assert!(one.reason.is_none() && one.pfa_g_median != base.pfa_g_median);
-    assert!(reason(all).contains("the building has the same modes"));
+    assert_eq!(reason(all), &NoResult::Unchanged(Same::Modes));
 }
 
 /// Only two modes have the damping that is written; that value is the base again.
@@ -310,32 +302,21 @@ fn records_are_scaled_and_the_rest_of_the_ground_left() {
     assert!((ratio - 2.0).abs() < 1e-12, "{ratio}");
 }
 
-/// A row has the warnings of its change, without those of the base.
+/// A row has the doubts of its change, without those of the base.
 #[test]
-fn warnings_of_variations_are_kept() {
+fn doubts_of_variations_are_kept() {
     let (_folder, study) = in_folder(&quick(EUROCODE, ""), &[], &Overrides::default());
     let mut base = run(&study, &no_progress).unwrap();
-    let result = run(&study, &no_progress).unwrap();
-    assert!(
-        rows("key", "1", &study, &result, &base)[0]
-            .warnings
-            .is_none()
-    );
-    let mut more = result.clone();
-    more.warnings.extend(["one".to_owned(), "two".to_owned()]);
-    assert_eq!(
-        rows("key", "1", &study, &more, &base)[0]
-            .warnings
-            .as_deref(),
-        Some("one; two")
-    );
-    base.warnings.push("one".to_owned());
-    assert_eq!(
-        rows("key", "1", &study, &more, &base)[0]
-            .warnings
-            .as_deref(),
-        Some("two")
-    );
+    let mut more = base.clone();
+    let doubts = |result: &StudyResult, base: &StudyResult| {
+        rows("key", "1", &study, result, base)[0].doubts.clone()
+    };
+    assert_eq!(doubts(&more, &base), []);
+    let [one, two] = [1.2, 1.3].map(StudyDoubt::HighPeak);
+    more.doubts.extend([one.clone(), two.clone()]);
+    assert_eq!(doubts(&more, &base), [one.clone(), two.clone()]);
+    base.doubts.push(one);
+    assert_eq!(doubts(&more, &base), [two]);
 }
 
 /// There is no ratio to a tiny shock: a result with its shocks a hundred thousand times smaller.
@@ -365,13 +346,13 @@ fn what_does_not_apply_is_said_and_what_fails_is_a_row() {
     assert!(result.rows[1].reason.is_none());
     let reason = reason(&result.rows[2]);
     assert!(
-        reason.contains("shear_flexure must be 0 or more"),
-        "{reason}"
+        matches!(reason, NoResult::Failed(why) if why.contains("shear_flexure must be 0 or more")),
+        "{reason:?}"
     );
     assert_eq!(result.rows[2].pfa_g_median, None);
     assert_eq!(
         result.left_out,
-        ["scale is not varied: synthetic motions follow their target"]
+        [not_varied("scale", WhyNotVaried::Synthetic)]
     );
 }
 

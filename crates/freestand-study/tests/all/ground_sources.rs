@@ -8,7 +8,9 @@ use freestand::motion::Motion;
 use freestand_input::problem::Problem;
 use freestand_records::formats::write_csv;
 use freestand_study::resolve::{Overrides, resolve, resolve_with};
-use freestand_study::study::{Ground, Study};
+use freestand_study::result::{NotVaried, WhyNotVaried};
+use freestand_study::simulated::SimulationAssumption;
+use freestand_study::study::{Ground, Study, StudyDoubt};
 use freestand_study::vary::{changes, parse_variation};
 
 fn folder() -> tempfile::TempDir {
@@ -228,12 +230,12 @@ fn each_earthquake_has_its_motions_and_the_seed_of_the_command_line_wins() {
         assert!((found.mean_ratio_to_rock_spectrum.unwrap() - 1.0).abs() < 2e-3);
     }
     assert!(
-        study
-            .warnings
-            .iter()
-            .any(|one| one.contains("no soil column")),
+        study.doubts.iter().any(|one| matches!(
+            one,
+            StudyDoubt::Simulated(SimulationAssumption::SiteRatio(_))
+        )),
         "{:?}",
-        study.warnings
+        study.doubts
     );
     assert_eq!(simulated.hazard.as_ref().unwrap().kpz_g(), Some(0.08));
 }
@@ -245,6 +247,7 @@ fn what_can_be_varied_depends_on_the_ground() {
         .iter()
         .map(|text| parse_variation(text).unwrap())
         .collect();
+    let not_varied = |key, why| NotVaried { key, why };
     let varied = |keys: &str| {
         let (changes, left_out) = changes(
             &study(folder.path(), keys),
@@ -260,8 +263,8 @@ fn what_can_be_varied_depends_on_the_ground() {
     assert_eq!(
         left_out,
         [
-            "city is not varied: the motions are of one magnitude and distance",
-            "scale is not varied: simulated motions follow their source"
+            not_varied("city", WhyNotVaried::OneEarthquake),
+            not_varied("scale", WhyNotVaried::Simulated)
         ]
     );
     assert_eq!(
@@ -270,10 +273,7 @@ fn what_can_be_varied_depends_on_the_ground() {
     );
     let (names, left_out) = varied("motions = \"record.csv\"\nmatch = \"fft\"\n");
     assert_eq!(names, ["site", "city"]);
-    assert_eq!(
-        left_out[0],
-        "seed is not varied: the motions are matched records"
-    );
+    assert_eq!(left_out[0], not_varied("seed", WhyNotVaried::MatchedSeed));
 }
 
 /// The record's own misfit is far larger: the spectrum of a sweep of 1 m/s² is no code's.

@@ -17,12 +17,15 @@ use freestand::suite::SuiteScale;
 use freestand_input::quantity::UnitSystem;
 use freestand_output::answer::Answer;
 use freestand_records::formats::{write_at2, write_csv, write_pair_csv};
+use freestand_report::doubts::{assumed_at, study_doubts, two_spectra};
+use freestand_report::study::check::Check;
 use freestand_report::study::outputs::write_outputs;
-use freestand_study::check::Check;
 use freestand_study::provenance::provenance;
 use freestand_study::resolve::{Overrides, motion_paths, resolve, resolve_with};
+use freestand_study::result::{NotVaried, WhyNotVaried};
 use freestand_study::run::{no_progress, run};
-use freestand_study::study::{Ground, RecordedMotion, Study};
+use freestand_study::study::{Ground, RecordedMotion, Study, StudyDoubt};
+use freestand_study::suite::{LeftOut, SuiteDoubt};
 use freestand_study::vary::{changes, parse_variation};
 
 /// A sweep from 0.1 to 25 Hz under a half sine, with a peak near 1 m/s²: `tilt` is the power of its
@@ -264,8 +267,8 @@ fn components_are_paired_and_other_files_are_named() {
     let left_out: Vec<&str> = suite.left_out.iter().map(|one| one.file.as_str()).collect();
     assert_eq!(left_out, ["broken.csv", "copy of both0.csv"]);
     assert_eq!(suite.left_out[1].reason, "is the same as both0.csv");
-    let warning = study
-        .warnings
+    let warnings = study_doubts(&study.doubts);
+    let warning = warnings
         .iter()
         .find(|one| one.contains("broken.csv"))
         .unwrap();
@@ -296,13 +299,12 @@ fn one_component_of_each_file_where_that_is_asked_for() {
     std::fs::remove_file(folder.path().join("records/p41_2.csv")).unwrap();
     let two = study(folder.path(), "");
     assert_eq!((motions(&two).len(), two.directions_deg.len()), (6, 12));
-    let expected = "suite: p41_1.csv is left out: has one horizontal component, but 6 other records have two; \
-                    component = 1 uses one of each file";
-    assert!(
-        two.warnings.iter().any(|warning| warning == expected),
-        "{:?}",
-        two.warnings
-    );
+    let reason = "has one horizontal component, but 6 other records have two; component = 1 uses one of each file";
+    let expected = StudyDoubt::Suite(SuiteDoubt::LeftOut(vec![LeftOut {
+        file: "p41_1.csv".to_owned(),
+        reason: reason.to_owned(),
+    }]));
+    assert!(two.doubts.contains(&expected), "{:?}", two.doubts);
     for i in 4..8 {
         let _ = std::fs::remove_file(folder.path().join(format!("records/p{i}1_2.csv")));
     }
@@ -503,24 +505,21 @@ fn the_periods_are_those_of_the_building_above_the_ground() {
         (
             periods_s[0] / period_s,
             periods_s[29] / period_s,
-            study.ground.suite().unwrap().period_words(),
+            study.ground.suite().unwrap().periods_from.clone(),
         )
     };
     let (from, to, words) = range("period = \"1 s\"\n");
     assert!((from - 0.2).abs() < 1e-12 && (to - 2.0).abs() < 1e-12);
-    assert_eq!(
-        words,
-        "from 0.2 s to 2 s (0.2 and 2 times the building's period of 1 s)"
-    );
+    assert_eq!(words, "0.2 and 2 times the building's period of 1 s");
     let (from, to, words) = range("period = \"1 s\"\nacross = { period = \"0.8 s\" }\n");
     assert!((from - 0.16).abs() < 1e-12 && (to - 2.0).abs() < 1e-12);
     assert_eq!(
         words,
-        "from 0.16 s to 2 s (0.2 times the building's period of 0.8 s, 2 times that of 1 s)"
+        "0.2 times the building's period of 0.8 s, 2 times that of 1 s"
     );
     assert_eq!(
         range("period = \"1 s\"\nlevels = [0]\n").2,
-        "from 0.2 s to 3 s (no floor above the ground)"
+        "no floor above the ground"
     );
 }
 
@@ -547,13 +546,14 @@ fn neither_seed_nor_threads_change_a_suite_and_the_command_line_replaces_it() {
         .map(|text| parse_variation(text).unwrap())
         .collect();
     let (list, left_out) = changes(&one, &variations, &Overrides::default());
+    let not_varied = |key, why| NotVaried { key, why };
     let sites: Vec<&str> = list.iter().map(|change| change.value.as_str()).collect();
     assert_eq!(sites, ["A", "B", "D", "E"]);
     assert_eq!(
         left_out,
         [
-            "seed is not varied: the motions are records of a suite",
-            "scale is not varied: the factors of a suite follow its target"
+            not_varied("seed", WhyNotVaried::SuiteSeed),
+            not_varied("scale", WhyNotVaried::SuiteScale)
         ]
     );
 }
@@ -647,41 +647,25 @@ fn the_far_field_records_of_p695_are_a_suite() {
         ] {
             let study = suite(&format!("{count}suite_scale = \"{scale}\"\n"), building);
             let suite = study.ground.suite().unwrap();
-            println!(
-                "{scale}: {}; {}; mean {}; sd {}",
-                suite.count_words(),
-                suite.period_words(),
-                suite.mean_words(),
-                suite.sd_words()
-            );
+            let (mean, dispersion) = (suite.mean_off(), suite.dispersion());
+            println!("{scale}: {:?} {mean:?} {dispersion:?}", suite.members);
             assert_eq!((suite.usable, suite.left_out.len()), (22, 0));
             assert_eq!(suite.skipped, ["README.md", "index.json"]);
             assert!(motions(&study).iter().all(|motion| motion.across.is_some()));
             // As the core measures them: where there is a choice, the mean and the dispersion are met.
-            let is_met = suite.mean_rms() < 0.06
-                && (suite.sd_rms() - suite.scale.dispersion()).abs() < 0.015;
+            let is_met = mean.rms < 0.06 && (dispersion.rms - dispersion.asked).abs() < 0.015;
+            assert_eq!(is_met, suite.members.len() < 22, "{mean:?} {dispersion:?}");
+            let is_of_suite = |doubt: &StudyDoubt| matches!(doubt, StudyDoubt::Suite(_));
             assert_eq!(
-                is_met,
-                suite.members.len() < 22,
-                "{} {}",
-                suite.mean_words(),
-                suite.sd_words()
-            );
-            let warned = study
-                .warnings
-                .iter()
-                .filter(|warning| warning.starts_with("suite: "))
-                .count();
-            assert_eq!(
-                warned > 0,
+                study.doubts.iter().any(is_of_suite),
                 suite.members.len() == 22,
                 "{:?}",
-                study.warnings
+                study.doubts
             );
         }
     }
     let singles = suite("component = 1\n", "levels = [0]");
-    println!("{}", singles.ground.suite().unwrap().count_words());
+    println!("{:?}", singles.ground.suite().unwrap().members);
     assert_eq!(motions(&singles).len(), 44);
 }
 
@@ -733,25 +717,23 @@ fn every_source_serves_both_spectra_of_a_national_annex() {
         assert_eq!(design(&both), design(&other), "{source}");
         // Only who asks both says so.
         assert!(
-            both.two_spectra_words().is_some() && one.two_spectra_words().is_none(),
+            two_spectra(&both).is_some() && two_spectra(&one).is_none(),
             "{source}"
         );
         assert!(
-            !both
-                .assumed_at(0.0, UnitSystem::Si)
-                .any(|said| said.contains("both spectra")),
+            !assumed_at(&both, 0.0, UnitSystem::Si).any(|said| said.contains("both spectra")),
             "{source}"
         );
         // What is noted of records is noted once, though each is read for either spectrum.
-        let lacking: Vec<&String> = one
-            .warnings
+        let lacking: Vec<&StudyDoubt> = one
+            .doubts
             .iter()
-            .filter(|said| !both.warnings.contains(said))
+            .filter(|doubt| !both.doubts.contains(doubt))
             .collect();
         assert!(
             lacking.is_empty(),
             "{source}: {lacking:?} {:?}",
-            both.warnings
+            both.doubts
         );
     }
 }

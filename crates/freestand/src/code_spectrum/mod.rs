@@ -206,14 +206,6 @@ impl CodeSpectrum {
             _ => None,
         }
     }
-
-    /// A caveat about the spectrum that must appear in every output.
-    pub fn doubt(&self) -> Option<&'static str> {
-        match self {
-            Self::As1170_4(code) => code.edition().doubt(),
-            _ => None,
-        }
-    }
 }
 
 impl From<As1170_4> for CodeSpectrum {

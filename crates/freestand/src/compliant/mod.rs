@@ -55,7 +55,7 @@ pub use equilibrium::{Equilibrium, equilibrium};
 pub(crate) use events::TOUCHING;
 pub use history::{CompliantPoint, CompliantRecorder};
 pub use solve::{Piece, rock_compliant, rock_compliant_observed};
-pub(crate) use track::raise;
+pub(crate) use track::{HEADROOM, raise};
 
 /// Steps after which a history is abandoned.
 pub const MAX_STEPS: usize = 20_000_000;

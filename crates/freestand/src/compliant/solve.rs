@@ -8,8 +8,8 @@ use super::equation::{
     X, Z,
 };
 use super::equilibrium::body;
-use super::step::{Scales, Step};
-use super::stepper::{accurate, first_event, shortened};
+use super::step::Step;
+use super::stepper::{Trial, accurate, first_event, shortened};
 use super::tail::Tail;
 use super::track::{Seen, Track};
 use super::{
@@ -18,6 +18,9 @@ use super::{
 };
 use crate::block::Block;
 use crate::rocking::{Base, LONGEST_TAIL_S, Outcome};
+
+/// Longest step, as an angle of the vibration on the cushions.
+const LONGEST_RAD: f64 = 0.5;
 
 /// How far past an event a step may end, as a margin: rounding.
 const CLOSE: f64 = 1e-13;
@@ -328,15 +331,16 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         result: &mut CompliantRocking,
     ) -> Result<(), CompliantError> {
         self.rates = self.body.rates(&self.grips, &line, self.time_s, &self.y);
+        let mut step = Step::new(&self.y, self.body.len());
         while self.time_s < until_s && result.overturn_time_s.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (step, grow) = self.next(&line, rest_s)?;
+            let grow = self.next(&mut step, &line, rest_s)?;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
-            self.accept(&line, step, result);
+            self.accept(&line, &step, result);
             if is_last {
                 self.time_s = until_s;
             }
@@ -353,53 +357,50 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         Ok(())
     }
 
-    /// The step of this length from the present state.
-    fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
-        let scales = Scales {
-            len: self.body.len(),
-            sizes: &self.sizes,
-            tolerance: self.tolerance,
-        };
+    /// Takes the step of this length from the present state; returns its error ratio.
+    fn take(&self, step: &mut Step<LEN>, line: &Line, length_s: f64) -> f64 {
         let rates = |time_s: f64, y: &State, rates: &mut State| {
             self.body.write_rates(&self.grips, line, (time_s, y), rates);
         };
-        Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
+        let scales = (&self.sizes, self.tolerance);
+        step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// A step that is accurate and ends no later than its first event, and the length to try next.
-    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64), CompliantError> {
+    /// Takes a step that is accurate and ends no later than its first event, and returns the length to try next.
+    fn next(
+        &mut self,
+        step: &mut Step<LEN>,
+        line: &Line,
+        rest_s: f64,
+    ) -> Result<f64, CompliantError> {
         let mut effort = self.effort;
-        let take = |length_s: f64| self.take(line, length_s);
+        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
         let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
-        let (mut step, grow) = accurate(
-            (self.time_s, self.try_s, rest_s),
-            self.unit_s,
-            take,
-            &mut effort,
-        )?;
-        if let Some(share) = first_event(&step, margin) {
+        let trial = Trial {
+            start_s: self.time_s,
+            try_s: self.try_s,
+            longest_s: LONGEST_RAD * self.unit_s,
+            rest_s,
+            unit_s: self.unit_s,
+        };
+        let grow = accurate(trial, |length_s| take(step, length_s), &mut effort)?;
+        if let Some(share) = first_event(step, self.unit_s, margin) {
             let now = margin(self.time_s, &self.y);
-            step = shortened(
-                share * step.length_s,
-                now,
-                (self.unit_s, CLOSE),
-                take,
-                margin,
-                &mut effort,
-            );
+            let (length_s, close) = (share * step.length_s, (self.unit_s, CLOSE));
+            shortened(step, length_s, now, close, take, margin, &mut effort);
         }
         self.effort = effort;
-        Ok((step, grow))
+        Ok(grow)
     }
 
-    fn accept(&mut self, line: &Line, step: Step<LEN>, result: &mut CompliantRocking) {
+    fn accept(&mut self, line: &Line, step: &Step<LEN>, result: &mut CompliantRocking) {
         self.effort.steps += 1;
         let ends = [Turn::of(&step.start), Turn::of(&step.end)];
         let seen = Seen {
             body: self.body,
             grips: &self.grips,
             line,
-            step: &step,
+            step,
             ends,
         };
         self.track.read(&seen, result);
@@ -407,7 +408,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             seen,
             cg_from_left_m: self.cg_from_left_m,
         });
-        (self.y, self.rates) = (step.end, step.end_rates);
+        (self.y, self.rates) = (step.end, *step.end_rates());
         self.time_s = step.start_s + step.length_s;
         if self.body.tangential_damping == 0.0 {
             self.settle_stretches();

@@ -56,92 +56,91 @@ const DENSE: [f64; 7] = [
 /// taken for an error.
 const RELATIVE: f64 = 1e-3;
 
-/// An accepted step.
-#[derive(Debug, Clone, Copy)]
+/// A step, with everything to interpolate within it. It is written in place: most of a large state may be unused.
+#[derive(Debug, Clone)]
 pub(crate) struct Step<const N: usize> {
     pub(crate) start_s: f64,
     pub(crate) length_s: f64,
     pub(crate) start: [f64; N],
     pub(crate) end: [f64; N],
-    /// Rates at the start and at the end.
-    pub(crate) start_rates: [f64; N],
-    pub(crate) end_rates: [f64; N],
     /// Error estimate relative to the scales of the state; above 1 the step was too long.
     pub(crate) error_ratio: f64,
     /// Number of entries of the state in use.
     len: usize,
     last: [f64; N],
-}
-
-/// What the error of a step is compared with.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Scales<'a, const N: usize> {
-    /// Number of entries of the state in use.
-    pub(crate) len: usize,
-    /// The size of each entry.
-    pub(crate) sizes: &'a [f64; N],
-    /// An error ratio of 1 is this share of the sizes.
-    pub(crate) tolerance: f64,
+    /// The rates at the start, at each stage, and at the end.
+    slopes: [[f64; N]; 7],
 }
 
 impl<const N: usize> Step<N> {
-    /// A step over `length_s` from a state and its rates; `rates` writes the rates at a time and a
-    /// state into its last argument.
+    /// Nothing yet, from a state of which `len` entries are in use.
+    pub(crate) fn new(start: &[f64; N], len: usize) -> Self {
+        Self {
+            start_s: 0.0,
+            length_s: 0.0,
+            start: *start,
+            end: *start,
+            error_ratio: 0.0,
+            len,
+            last: [0.0; N],
+            slopes: [[0.0; N]; 7],
+        }
+    }
+
+    /// Rates at the start.
+    pub(crate) fn start_rates(&self) -> &[f64; N] {
+        &self.slopes[0]
+    }
+
+    /// Rates at the end.
+    pub(crate) fn end_rates(&self) -> &[f64; N] {
+        &self.slopes[6]
+    }
+
+    /// The step over `length_s` from a state and its rates; `rates` writes the rates at a time and a state into
+    /// its last argument. Returns the error ratio.
     pub(crate) fn take(
+        &mut self,
         rates: impl Fn(f64, &[f64; N], &mut [f64; N]),
         start_s: f64,
         (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
-        Scales {
-            len,
-            sizes,
-            tolerance,
-        }: Scales<N>,
-    ) -> Self {
-        let mut slopes = [[0.0; N]; 7];
-        slopes[0] = *start_rates;
-        let mut y = *start;
+        (sizes, tolerance): (&[f64; N], f64),
+    ) -> f64 {
+        let len = self.len;
+        (self.start_s, self.length_s) = (start_s, length_s);
+        self.start[..len].copy_from_slice(&start[..len]);
+        self.slopes[0][..len].copy_from_slice(&start_rates[..len]);
         for (stage, row) in STAGES.iter().enumerate() {
+            let (slopes, later) = self.slopes.split_at_mut(stage + 1);
             // A number of weights that the compiler knows, so that it unrolls the sums.
-            let mean = match stage {
-                0 => weighted(&[row[0]], &slopes, len),
-                1 => weighted(&[row[0], row[1]], &slopes, len),
-                2 => weighted(&[row[0], row[1], row[2]], &slopes, len),
-                3 => weighted(&[row[0], row[1], row[2], row[3]], &slopes, len),
-                4 => weighted(&[row[0], row[1], row[2], row[3], row[4]], &slopes, len),
-                _ => weighted(row, &slopes, len),
-            };
-            for ((value, start), mean) in y.iter_mut().zip(start).zip(&mean).take(len) {
-                *value = start + length_s * mean;
+            let (start, y) = (&self.start, &mut self.end);
+            match stage {
+                0 => weighted::<N, 1>(row, slopes, (start, length_s), y, len),
+                1 => weighted::<N, 2>(row, slopes, (start, length_s), y, len),
+                2 => weighted::<N, 3>(row, slopes, (start, length_s), y, len),
+                3 => weighted::<N, 4>(row, slopes, (start, length_s), y, len),
+                4 => weighted::<N, 5>(row, slopes, (start, length_s), y, len),
+                _ => weighted::<N, 6>(row, slopes, (start, length_s), y, len),
             }
-            rates(
-                start_s + NODES[stage] * length_s,
-                &y,
-                &mut slopes[stage + 1],
-            );
+            rates(start_s + NODES[stage] * length_s, &self.end, &mut later[0]);
         }
-        let (dense, error) = (
-            weighted(&DENSE, &slopes, len),
-            weighted(&ERROR, &slopes, len),
+        let (nothing, mut error) = ([0.0; N], [0.0; N]);
+        weighted::<N, 7>(
+            &DENSE,
+            &self.slopes,
+            (&nothing, length_s),
+            &mut self.last,
+            len,
         );
-        let mut last = [0.0; N];
+        weighted::<N, 7>(&ERROR, &self.slopes, (&nothing, length_s), &mut error, len);
         let mut sum = 0.0;
         for i in 0..len {
-            last[i] = length_s * dense[i];
-            let scale = sizes[i] + RELATIVE * start[i].abs().max(y[i].abs());
-            sum += (length_s * error[i] / (tolerance * scale)).powi(2);
+            let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
+            sum += (error[i] / (tolerance * scale)).powi(2);
         }
-        Self {
-            start_s,
-            length_s,
-            start: *start,
-            end: y,
-            start_rates: *start_rates,
-            end_rates: slopes[6],
-            error_ratio: (sum / len as f64).sqrt(),
-            len,
-            last,
-        }
+        self.error_ratio = (sum / len as f64).sqrt();
+        self.error_ratio
     }
 
     /// The state at a share of the step.
@@ -150,8 +149,8 @@ impl<const N: usize> Step<N> {
         let mut y = self.start;
         for (i, value) in y[..self.len].iter_mut().enumerate() {
             let change = self.end[i] - self.start[i];
-            let bend = self.length_s * self.start_rates[i] - change;
-            let twist = change - self.length_s * self.end_rates[i] - bend;
+            let bend = self.length_s * self.slopes[0][i] - change;
+            let twist = change - self.length_s * self.slopes[6][i] - bend;
             *value += share * (change + rest * (bend + share * (twist + rest * self.last[i])));
         }
         y
@@ -161,34 +160,37 @@ impl<const N: usize> Step<N> {
 /// Entries that are summed at once.
 const BLOCK: usize = 8;
 
-/// Σ wⱼ sⱼ of the first `len` entries, by blocks of entries that stay in vectors.
+/// start + h Σ wⱼ sⱼ of the first `len` entries, by blocks of entries that stay in vectors.
 #[inline(always)]
 fn weighted<const N: usize, const M: usize>(
-    weights: &[f64; M],
-    slopes: &[[f64; N]; 7],
+    weights: &[f64],
+    slopes: &[[f64; N]],
+    (start, h): (&[f64; N], f64),
+    out: &mut [f64; N],
     len: usize,
-) -> [f64; N] {
-    let mut sums = [0.0; N];
-    let blocks = slopes.each_ref().map(|slope| slope.as_chunks::<BLOCK>().0);
-    for (at, sums) in sums
-        .as_chunks_mut::<BLOCK>()
-        .0
-        .iter_mut()
-        .enumerate()
-        .take(len.div_ceil(BLOCK))
-    {
+) {
+    let (weights, slopes) = (&weights[..M], &slopes[..M]);
+    let blocks: [&[[f64; BLOCK]]; M] = std::array::from_fn(|j| slopes[j].as_chunks().0);
+    let starts = start.as_chunks::<BLOCK>().0;
+    let outs = out.as_chunks_mut::<BLOCK>().0;
+    let used = len.div_ceil(BLOCK).min(outs.len());
+    for at in 0..used {
+        let mut sums = [0.0; BLOCK];
         for (weight, blocks) in weights.iter().zip(&blocks) {
             for (sum, slope) in sums.iter_mut().zip(&blocks[at]) {
                 *sum += weight * slope;
             }
         }
+        for i in 0..BLOCK {
+            outs[at][i] = starts[at][i] + h * sums[i];
+        }
     }
     for i in N / BLOCK * BLOCK..len {
-        sums[i] = weights
+        let sum: f64 = weights
             .iter()
             .zip(slopes)
             .map(|(weight, slope)| weight * slope[i])
             .sum();
+        out[i] = start[i] + h * sum;
     }
-    sums
 }

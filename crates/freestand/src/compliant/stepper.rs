@@ -4,9 +4,8 @@ use super::step::Step;
 use super::{CompliantEffort, CompliantError};
 use crate::motion::Motion;
 
-/// Longest step, as an angle of the vibration on the cushions: no contact can begin and end within
-/// one.
-const LONGEST_RAD: f64 = 0.5;
+/// Between two looks for an event no contact begins and ends: an angle of the vibration on the cushions.
+const LOOK_RAD: f64 = 0.25;
 /// A step ends at most this long after an event, as an angle of that vibration; no step is shorter.
 const EVENT_RAD: f64 = 1e-12;
 const SHORTEST_RAD: f64 = 1e-10;
@@ -88,38 +87,50 @@ impl<const D: usize> Line<D> {
     }
 }
 
-/// A step from `start_s` that is accurate enough and no longer than `rest_s`, and the length to try
-/// next. `unit_s` is 1/ω of the vibration on the cushions.
-pub(crate) fn accurate<const N: usize>(
-    (start_s, try_s, rest_s): (f64, f64, f64),
-    unit_s: f64,
-    take: impl Fn(f64) -> Step<N>,
+/// The step that a solver tries.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Trial {
+    pub(crate) start_s: f64,
+    pub(crate) try_s: f64,
+    /// No step is longer.
+    pub(crate) longest_s: f64,
+    /// Where the motion has its next kink.
+    pub(crate) rest_s: f64,
+    /// 1/ω of the vibration on the cushions.
+    pub(crate) unit_s: f64,
+}
+
+/// Takes a step that is accurate enough, and returns the length to try next. `take` returns the error ratio of the step of
+/// a length.
+pub(crate) fn accurate(
+    trial: Trial,
+    mut take: impl FnMut(f64) -> f64,
     effort: &mut CompliantEffort,
-) -> Result<(Step<N>, f64), CompliantError> {
-    let mut length_s = try_s.min(LONGEST_RAD * unit_s);
-    if length_s >= rest_s {
-        length_s = rest_s;
-    } else if 2.0 * length_s > rest_s {
-        length_s = 0.5 * rest_s;
+) -> Result<f64, CompliantError> {
+    let mut length_s = trial.try_s.min(trial.longest_s);
+    if length_s >= trial.rest_s {
+        length_s = trial.rest_s;
+    } else if 2.0 * length_s > trial.rest_s {
+        length_s = 0.5 * trial.rest_s;
     }
     loop {
-        let step = take(length_s);
+        let error_ratio = take(length_s);
         effort.evaluations += 6;
-        if step.error_ratio <= 1.0 {
-            let growth = (0.9 * step.error_ratio.powf(-0.2)).clamp(0.5, 4.0);
-            return Ok((step, growth * length_s));
+        if error_ratio <= 1.0 {
+            let growth = (0.9 * error_ratio.powf(-0.2)).clamp(0.5, 4.0);
+            return Ok(growth * length_s);
         }
         effort.rejected += 1;
         // NaN where a trial went past the end of a bottoming cushion.
-        let shrink = if step.error_ratio.is_finite() {
-            0.9 * step.error_ratio.powf(-0.2)
+        let shrink = if error_ratio.is_finite() {
+            0.9 * error_ratio.powf(-0.2)
         } else {
             0.1
         };
         length_s *= shrink.clamp(0.1, 0.9);
-        if length_s < LOST_RAD * unit_s {
+        if length_s < LOST_RAD * trial.unit_s {
             return Err(CompliantError::StepTooSmall {
-                time_s: start_s,
+                time_s: trial.start_s,
                 step_s: length_s,
             });
         }
@@ -130,17 +141,20 @@ pub(crate) fn accurate<const N: usize>(
 /// event.
 pub(crate) fn first_event<const N: usize>(
     step: &Step<N>,
+    unit_s: f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
 ) -> Option<f64> {
-    [0.5, 1.0].into_iter().find(|&share| {
-        let y = if share == 1.0 {
-            step.end
-        } else {
-            step.state(share)
-        };
-        let margin = margin(step.start_s + share * step.length_s, &y);
-        margin < 0.0
-    })
+    let looks = (step.length_s / (LOOK_RAD * unit_s)).ceil().clamp(2.0, 8.0);
+    (1..=looks as u32)
+        .map(|look| f64::from(look) / looks)
+        .find(|&share| {
+            let time_s = step.start_s + share * step.length_s;
+            if share == 1.0 {
+                margin(time_s, &step.end) < 0.0
+            } else {
+                margin(time_s, &step.state(share)) < 0.0
+            }
+        })
 }
 
 /// A share of the step just past the first event before `share`, by false position on the
@@ -181,27 +195,28 @@ pub(crate) fn nearer<const N: usize>(
     (high + close).min(share)
 }
 
-/// The step that ends just past the first event within `length_s`, located by false position with
+/// Takes the step that ends just past the first event within `length_s`, located by false position with
 /// new steps, so that nothing after the event affects it; `low_margin` is the margin at its start,
 /// and a margin of −`close` is near enough.
 pub(crate) fn shortened<const N: usize>(
+    step: &mut Step<N>,
     length_s: f64,
     mut low_margin: f64,
     (unit_s, close): (f64, f64),
-    take: impl Fn(f64) -> Step<N>,
+    take: impl Fn(&mut Step<N>, f64) -> f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
     effort: &mut CompliantEffort,
-) -> Step<N> {
+) {
     let shortest_s = SHORTEST_RAD * unit_s;
-    let margin_after = |step: &Step<N>| margin(step.start_s + step.length_s, &step.end);
-    let mut take = |length_s: f64| {
+    let mut margin_after = |step: &mut Step<N>, length_s: f64| {
         effort.evaluations += 6;
-        take(length_s)
+        take(step, length_s);
+        margin(step.start_s + step.length_s, &step.end)
     };
-    let mut beyond = take(length_s);
     let mut low = 0.0;
-    let (mut high, mut high_margin) = (length_s, margin_after(&beyond));
+    let (mut high, mut high_margin) = (length_s, margin_after(step, length_s));
     let mut last_side = 0;
+    let mut trial = step.clone();
     for _ in 0..EVENT_TRIALS {
         if high_margin >= -close || high - low <= EVENT_RAD * unit_s || high <= shortest_s {
             break;
@@ -216,10 +231,10 @@ pub(crate) fn shortened<const N: usize>(
         if low_margin <= 0.0 && middle < shortest_s {
             break;
         }
-        let trial = take(middle);
-        let margin = margin_after(&trial);
+        let margin = margin_after(&mut trial, middle);
         if margin < 0.0 {
-            (high, high_margin, beyond) = (middle, margin, trial);
+            (high, high_margin) = (middle, margin);
+            std::mem::swap(step, &mut trial);
             if last_side == 1 {
                 low_margin *= 0.5;
             }
@@ -235,9 +250,7 @@ pub(crate) fn shortened<const N: usize>(
             last_side = -1;
         }
     }
-    if beyond.length_s < shortest_s {
-        take(shortest_s.min(length_s))
-    } else {
-        beyond
+    if step.length_s < shortest_s {
+        margin_after(step, shortest_s.min(length_s));
     }
 }

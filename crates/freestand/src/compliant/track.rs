@@ -6,9 +6,9 @@ use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
 use crate::search::bisect;
 
-/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
-/// vibration on the cushions.
-const HEADROOM: f64 = 0.8;
+/// The ends of a step reach at least this share of a maximum inside it: steps are short compared with the vibration on
+/// the cushions.
+pub(crate) const HEADROOM: f64 = 0.7;
 /// Contacts that carry less than this share of the weight are ignored for friction.
 const CARRYING_RATIO: f64 = 0.1;
 
@@ -50,8 +50,8 @@ impl Seen<'_, '_> {
         let (horizontal, vertical) = self.with_state(share, |y, turn| {
             let of = |rates: &State| self.body.acceleration_of((right, up), y, rates, turn);
             match share {
-                0.0 => of(&self.step.start_rates),
-                1.0 => of(&self.step.end_rates),
+                0.0 => of(self.step.start_rates()),
+                1.0 => of(self.step.end_rates()),
                 _ => of(&self
                     .body
                     .rates(self.grips, self.line, self.time_s(share), y)),

@@ -50,8 +50,7 @@ pub struct Plan {
 pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -> bool) -> Plan {
     let classes = classes(objects, budget);
     let increments = increments(&classes);
-    let mut best: Vec<(usize, usize)> = Vec::new();
-    let (mut best_cost, mut best_value) = (0.0, 0.0);
+    let mut best = Completed::default();
     let mut nodes: Vec<Node> = Vec::new();
     let mut partial = vec![Partial {
         cost: 0.0,
@@ -67,18 +66,17 @@ pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -
             .iter()
             .reduce(|a, b| if bound(b) > bound(a) { b } else { a });
         if let Some(start) = promising {
-            let (completed, cost, value) =
-                complete(start, &nodes, &classes, &increments, position, budget);
-            if value > best_value {
-                (best, best_cost, best_value) = (completed, cost, value);
+            let completed = complete(start, &nodes, &classes, &increments, position, budget);
+            if completed.value > best.value {
+                best = completed;
             }
         }
-        partial.retain(|plan| bound(plan) > best_value);
+        partial.retain(|plan| bound(plan) > best.value);
         let Some(class) = classes.get(position).filter(|_| !partial.is_empty()) else {
             break;
         };
         if !go_on() {
-            stopped_bound = Some(partial.iter().map(bound).fold(best_value, f64::max));
+            stopped_bound = Some(partial.iter().map(bound).fold(best.value, f64::max));
             break;
         }
         let mut next = partial.clone();
@@ -111,18 +109,18 @@ pub fn best_plan(objects: &[Vec<Choice>], budget: f64, mut go_on: impl FnMut() -
         partial = next;
     }
     let mut chosen = vec![None; objects.len()];
-    for (position, option) in best {
-        if let Some(class) = classes.get(position) {
-            chosen[class.object] = class.numbers.get(option).copied();
+    for taken in best.taken {
+        if let Some(class) = classes.get(taken.position) {
+            chosen[class.object] = class.numbers.get(taken.option).copied();
         }
     }
-    let bound = stopped_bound.unwrap_or(best_value);
+    let bound = stopped_bound.unwrap_or(best.value);
     Plan {
         chosen,
-        cost: best_cost,
-        value: best_value,
+        cost: best.cost,
+        value: best.value,
         bound,
-        is_optimal: bound <= best_value,
+        is_optimal: bound <= best.value,
     }
 }
 
@@ -149,6 +147,21 @@ struct Node {
     before: Option<usize>,
     position: usize,
     option: usize,
+}
+
+/// A measure that is taken: the place of its object, and its place among the measures of that.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Taken {
+    position: usize,
+    option: usize,
+}
+
+/// A plan for all objects.
+#[derive(Default)]
+struct Completed {
+    taken: Vec<Taken>,
+    cost: f64,
+    value: f64,
 }
 
 /// A step from one measure on the hull of an object to the next.
@@ -290,8 +303,7 @@ impl Relaxed {
     }
 }
 
-/// A plan completed by steps in the order of their slopes, as long as they fit: its choices, cost
-/// and value.
+/// A plan completed by steps in the order of their slopes, as long as they fit.
 fn complete(
     start: &Partial,
     nodes: &[Node],
@@ -299,7 +311,7 @@ fn complete(
     increments: &[Increment],
     position: usize,
     budget: f64,
-) -> (Vec<(usize, usize)>, f64, f64) {
+) -> Completed {
     let mut places = vec![0; classes.len()];
     let mut cost = start.cost;
     for step in increments.iter().filter(|step| step.position >= position) {
@@ -309,30 +321,29 @@ fn complete(
             cost += step.cost;
         }
     }
-    let mut chosen: Vec<(usize, usize)> = Vec::new();
+    let mut taken: Vec<Taken> = Vec::new();
     let mut node = start.node.and_then(|node| nodes.get(node));
     while let Some(here) = node {
-        chosen.push((here.position, here.option));
+        taken.push(Taken {
+            position: here.position,
+            option: here.option,
+        });
         node = here.before.and_then(|node| nodes.get(node));
     }
     for (position, (class, place)) in classes.iter().zip(&places).enumerate() {
-        chosen.extend(
-            place
-                .checked_sub(1)
-                .and_then(|i| class.hull.get(i))
-                .map(|&option| (position, option)),
-        );
+        let option = place.checked_sub(1).and_then(|i| class.hull.get(i));
+        taken.extend(option.map(|&option| Taken { position, option }));
     }
-    chosen.sort_unstable();
+    taken.sort_unstable();
     // Summed in one order, so that the way to a plan does not change its last digits.
     let sum = |of: &dyn Fn(Choice) -> f64| {
-        chosen
+        taken
             .iter()
-            .map(|&(at, option)| of(classes[at].options[option]))
+            .map(|one| of(classes[one.position].options[one.option]))
             .sum::<f64>()
     };
     let (cost, value) = (sum(&|choice| choice.cost), sum(&|choice| choice.value));
-    (chosen, cost, value)
+    Completed { taken, cost, value }
 }
 
 #[cfg(test)]

@@ -199,16 +199,14 @@ impl<'a> World<'a> {
         y
     }
 
+    #[inline]
     pub(super) fn poses(&self, y: &State) -> Poses {
-        let mut poses = [Pose::STILL; MAX_BODIES];
-        for (pose, y) in poses
-            .iter_mut()
-            .zip(y.chunks_exact(BODY))
-            .take(self.bodies.len())
-        {
-            *pose = Pose::at(y);
-        }
-        poses
+        let upper = if self.bodies.len() == MAX_BODIES {
+            Pose::at(&y[BODY..])
+        } else {
+            Pose::STILL
+        };
+        [Pose::at(y), upper]
     }
 
     pub(super) fn foot(&self, element: &Element, poses: &Poses) -> Foot {
@@ -362,7 +360,8 @@ impl<'a> World<'a> {
             }
             let spin = vector(y, at + SPIN);
             let torque = turned_back(&pose.shift, &torques[index]);
-            let momentum = [0, 1, 2].map(|axis| body.inertia[axis] * spin[axis]);
+            let [a, b, c] = body.inertia;
+            let momentum = [a * spin[0], b * spin[1], c * spin[2]];
             let gyroscopic = cross(&spin, &momentum);
             for axis in 0..3 {
                 rates[at + PLACE + axis] = pose.velocity[axis];

@@ -2,7 +2,7 @@
 //! to it on springs and dashpots need a few sums together, however many they are.
 
 use super::element::{Element, Grip};
-use super::pose::Pose;
+use super::pose::{Flat, Pose};
 use crate::compliant::pad::Pad;
 use crate::space::{Vector, difference, sum, turned};
 
@@ -67,21 +67,6 @@ pub(super) struct Push {
     pub(super) dissipated_w: f64,
 }
 
-/// A quantity of a foot as a function of its place p on the base: at + x p_x + y p_y.
-#[derive(Debug, Clone, Copy)]
-struct Flat {
-    at: f64,
-    x: f64,
-    y: f64,
-}
-
-impl Flat {
-    fn of(self, [x, y]: [f64; 2]) -> f64 {
-        // In this order nothing changes if x and y are swapped.
-        self.at + (self.x * x + self.y * y)
-    }
-}
-
 impl<'a> Feet<'a> {
     /// The feet at `points` of the base, which is `z` from the centre of gravity; each is like
     /// `one`.
@@ -119,47 +104,14 @@ impl<'a> Feet<'a> {
         stuck
     }
 
-    /// Displacement of a foot along an axis of the floor.
-    fn place(&self, pose: &Pose, axis: usize) -> Flat {
-        let row = &pose.shift[axis];
-        Flat {
-            at: pose.place[axis] + self.z * row[2],
-            x: row[0],
-            y: row[1],
-        }
-    }
-
-    /// Upward velocity of a foot: v + ω × Qp.
-    fn rising(&self, pose: &Pose) -> Flat {
-        let [[_, xy, xz], [yx, _, yz], _] = pose.shift;
-        let (xx, yy) = (1.0 + pose.shift[0][0], 1.0 + pose.shift[1][1]);
-        let [x, y, _] = pose.omega;
-        Flat {
-            at: pose.velocity[2] + self.z * (x * yz - y * xz),
-            x: x * yx - y * xx,
-            y: x * yy - y * xy,
-        }
-    }
-
     /// What the feet that stick do to the body: with f = f₀ + Mp + k_t a of each, Σf and
     /// Σ(Qp) × f from Σ f pᵀ.
     pub(super) fn push(&self, stuck: &Stuck, pose: &Pose) -> Push {
         let [k, c] = self.linear.unwrap_or_default();
-        let rising = self.rising(pose);
-        let pulled = |axis: usize, stiffness: f64| {
-            let Flat { at, x, y } = self.place(pose, axis);
-            Flat {
-                at: -stiffness * at,
-                x: -stiffness * x,
-                y: -stiffness * y,
-            }
-        };
-        let up = pulled(2, k);
-        let up = Flat {
-            at: up.at - c * rising.at,
-            x: up.x - c * rising.x,
-            y: up.y - c * rising.y,
-        };
+        let rising = pose.rising(self.z);
+        let pulled =
+            |axis: usize, stiffness: f64| pose.displacement(self.z, axis).times(-stiffness);
+        let up = pulled(2, k).plus(rising.times(-c));
         let k_t = self.tangential_stiffness;
         let of = |flat: Flat, anchor: [f64; 3]| {
             let force =
@@ -170,24 +122,23 @@ impl<'a> Feet<'a> {
                 flat.at * stuck.y + (flat.x * stuck.xy + flat.y * stuck.yy) + k_t * anchor[2];
             (force, [by_x, by_y, self.z * force])
         };
-        let anchors = [0, 1].map(|axis| {
+        let anchors = |axis: usize| {
             [
                 stuck.anchor[axis],
                 stuck.x_anchor[axis],
                 stuck.y_anchor[axis],
             ]
-        });
-        let sums = [
-            of(pulled(0, k_t), anchors[0]),
-            of(pulled(1, k_t), anchors[1]),
-            of(up, [0.0; 3]),
-        ];
+        };
+        let (right, by_right) = of(pulled(0, k_t), anchors(0));
+        let (back, by_back) = of(pulled(1, k_t), anchors(1));
+        let (up, by_up) = of(up, [0.0; 3]);
         // Σ f (Qp)ᵀ.
-        let [x, y, z] = sums.map(|(_, by_place)| turned(&pose.shift, &by_place));
+        let turned = |by_place: Vector| turned(&pose.shift, &by_place);
+        let (x, y, z) = (turned(by_right), turned(by_back), turned(by_up));
         let Flat { at, x: rx, y: ry } = rising;
         let squares = (rx * rx * stuck.xx + ry * ry * stuck.yy) + 2.0 * rx * ry * stuck.xy;
         Push {
-            force: sums.map(|(force, _)| force),
+            force: [right, back, up],
             torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
             dissipated_w: c
                 * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),
@@ -196,7 +147,7 @@ impl<'a> Feet<'a> {
 
     /// No foot is higher above its unloaded cushion than this.
     pub(super) fn highest_m(&self, pose: &Pose) -> f64 {
-        let Flat { at, x, y } = self.place(pose, 2);
+        let Flat { at, x, y } = pose.displacement(self.z, 2);
         at + self.reach * (x * x + y * y).sqrt()
     }
 
@@ -210,43 +161,46 @@ impl<'a> Feet<'a> {
         of: impl Fn(usize) -> f64,
     ) -> f64 {
         let (right, back, up) = (
-            self.place(pose, 0),
-            self.place(pose, 1),
-            self.place(pose, 2),
+            pose.displacement(self.z, 0),
+            pose.displacement(self.z, 1),
+            pose.displacement(self.z, 2),
         );
-        let rising = self.rising(pose);
+        // How much longer a foot that sticks pushes ([`Pad::pushes`]), and its force as a share of the weight.
+        let per_unit = 1.0 / self.unit_m;
+        let (pushes, carried) = match self.linear {
+            Some([k, c]) => {
+                let carried = up
+                    .times(-k / self.weight_n)
+                    .plus(pose.rising(self.z).times(-c / self.weight_n));
+                let pressed = up.times(-per_unit);
+                (if c > 0.0 { carried } else { pressed }, carried)
+            }
+            None => (up, up),
+        };
         for (index, (&point, grip)) in self.points.iter().zip(grips).enumerate() {
-            let height = up.of(point);
-            let margin = match (*grip, self.linear) {
-                (Grip::Gone, _) => continue,
-                (
-                    Grip::Open {
-                        since_s,
-                        compression_m,
-                    },
-                    _,
-                ) => {
+            let margin = match *grip {
+                Grip::Gone => continue,
+                Grip::Open {
+                    since_s,
+                    compression_m,
+                } => {
                     // A surface that still recovers is no lower than the unloaded cushion.
-                    if height / self.unit_m >= least {
+                    let height = up.of(point);
+                    if height * per_unit >= least {
                         continue;
                     }
-                    (self.pad.surface(since_s, compression_m, time_s) + height) / self.unit_m
+                    (self.pad.surface(since_s, compression_m, time_s) + height) * per_unit
                 }
-                (Grip::Stick { anchor }, Some([k, c])) => {
-                    let normal_n = -(k * height + c * rising.of(point));
-                    let pushes = self
-                        .pad
-                        .pushes(-height, normal_n, (self.unit_m, self.weight_n));
-                    match self.friction {
-                        None => pushes,
-                        Some(friction) => {
-                            let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
-                            let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
-                            pushes.min((friction * normal_n - tangential_n) / self.weight_n)
-                        }
+                Grip::Stick { anchor } if self.linear.is_some() => match self.friction {
+                    None => pushes.of(point),
+                    Some(friction) => {
+                        let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
+                        let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
+                        let grips = friction * carried.of(point) - tangential_n / self.weight_n;
+                        pushes.of(point).min(grips)
                     }
-                }
-                (Grip::Stick { .. } | Grip::Slip, _) => of(index),
+                },
+                Grip::Stick { .. } | Grip::Slip => of(index),
             };
             least = least.min(margin);
         }
@@ -256,9 +210,9 @@ impl<'a> Feet<'a> {
     /// Energy in the springs; those of feet that slip are counted with the slip.
     pub(super) fn stored_j(&self, grips: &[Grip], pose: &Pose) -> f64 {
         let (right, back, up) = (
-            self.place(pose, 0),
-            self.place(pose, 1),
-            self.place(pose, 2),
+            pose.displacement(self.z, 0),
+            pose.displacement(self.z, 1),
+            pose.displacement(self.z, 2),
         );
         let of = |(&point, grip): (&[f64; 2], &Grip)| {
             let sheared_j = match grip {

@@ -2,8 +2,13 @@
 
 use super::element::Role;
 use super::equation::{Line, Poses, State};
+use super::pose::Flat;
 use super::seen::Seen;
-use crate::compliant::raise;
+use crate::compliant::{HEADROOM, raise};
+
+/// The highest of five values of an acceleration over a step reaches at least this share of its maximum: they are
+/// a quarter of a radian of the vibration on the cushions apart, or less.
+const NEAR_TOP: f64 = 0.97;
 
 /// The landings of the base of an object, or of the lower body of a stack.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -49,39 +54,53 @@ impl Landings {
     /// Evaluates a step.
     pub(super) fn read(&mut self, seen: &Seen<'_, '_>, line: &Line) {
         let (world, step) = (seen.world, seen.step);
-        let ends = *seen.ends;
-        for index in 0..world.elements.len() {
-            let element = &world.elements[index];
+        let z = -world.bodies[0].cg_height;
+        let end_s = step.start_s + step.length_s;
+        let height = |poses: &Poses| poses[0].displacement(z, 2);
+        let lifting = |time_s: f64, poses: &Poses, rates: &State| {
+            let relative = poses[0].lifting(z, rates);
+            Flat {
+                at: relative.at + line.at(time_s)[2],
+                ..relative
+            }
+        };
+        let liftings = [
+            lifting(step.start_s, seen.ends[0], step.start_rates()),
+            lifting(end_s, seen.ends[1], step.end_rates()),
+        ];
+        let mut inner: Option<[Flat; 3]> = None;
+        for (index, element) in world.elements.iter().enumerate() {
             if element.role != Role::Base || !seen.grips.each()[index].carries() {
                 continue;
             }
-            let [from, to] = ends.map(|poses| world.compression(element, &poses));
-            if from.max(to) > self.found.peak_compression_m {
-                let press =
-                    |share: f64| world.compression(element, &world.poses(&seen.state(share)));
-                raise(&mut self.found.peak_compression_m, press);
+            let point = [element.point[0], element.point[1]];
+            let pressed = |poses: &Poses| {
+                let pose = &poses[0];
+                (-height(poses).of(point), -pose.rising(z).of(point))
+            };
+            if let Some((_, most_m)) = seen.crest(self.found.peak_compression_m, pressed) {
+                self.found.peak_compression_m = most_m;
             }
-            let up_of = |time_s: f64, poses: &Poses, rates: &State| {
-                line.at(time_s)[2]
-                    - world.pressing(element, &world.foot(element, poses), poses, rates)
-            };
-            let end_s = step.start_s + step.length_s;
-            let before = up_of(step.start_s, &ends[0], &step.start_rates);
-            let now = up_of(end_s, &ends[1], &step.end_rates);
-            let up = |share: f64| match share {
-                0.0 => before,
-                1.0 => now,
-                _ => {
-                    let (y, time_s) = (seen.state(share), step.start_s + share * step.length_s);
-                    up_of(
-                        time_s,
-                        &world.poses(&y),
-                        &world.rates(seen.grips, line, time_s, &y),
-                    )
-                }
-            };
+            let [before, now] = liftings.map(|lifting| lifting.of(point));
             let known_m_s2 = self.found.peak_acceleration_m_s2;
-            raise(&mut self.found.peak_acceleration_m_s2, up);
+            if before.max(now) >= HEADROOM * known_m_s2 {
+                let at = |share: f64| {
+                    let (y, time_s) = (seen.state(share), seen.time_s(share));
+                    let rates = world.rates(seen.grips, line, time_s, &y);
+                    lifting(time_s, &world.poses(&y), &rates)
+                };
+                let inner = inner.get_or_insert_with(|| [0.25, 0.5, 0.75].map(at));
+                let highest = inner.iter().map(|lifting| lifting.of(point));
+                let highest = highest.fold(before.max(now), f64::max);
+                if highest >= NEAR_TOP * known_m_s2 {
+                    let up = |share: f64| match share {
+                        0.0 => before,
+                        1.0 => now,
+                        _ => at(share).of(point),
+                    };
+                    raise(&mut self.found.peak_acceleration_m_s2, up);
+                }
+            }
             let Some(pulse) = &mut self.pulses[index] else {
                 continue;
             };
@@ -91,9 +110,8 @@ impl Landings {
             pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now).max(inner_m_s2);
             if before > 0.0 && now <= 0.0 {
                 let share = before / (before - now);
-                let rate_m_s = world
-                    .foot(element, &world.poses(&seen.state(share)))
-                    .compression_rate;
+                let pose = &seen.poses(share)[0];
+                let rate_m_s = -pose.rising(z).of(point);
                 self.leave(index, step.start_s + share * step.length_s, rate_m_s);
             }
         }

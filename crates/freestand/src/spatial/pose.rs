@@ -1,6 +1,6 @@
 //! The position and velocity of a body, and where the state has them.
 
-use crate::space::{Shift, Turn, UPRIGHT, Vector, cross, moved, shift, sum, turned};
+use crate::space::{Shift, Turn, UPRIGHT, Vector, cross, dot, moved, shift, sum, turned};
 
 // Indices into the state of one body: displacement of the centre of gravity relative to the base
 // and to its position upright above unloaded cushions, velocity, rotation, angular velocity in body
@@ -33,6 +33,7 @@ impl Pose {
         omega: [0.0; 3],
     };
 
+    #[inline]
     pub(super) fn at(y: &[f64]) -> Self {
         let turn = [y[TURN], y[TURN + 1], y[TURN + 2], y[TURN + 3]];
         let shift = shift(&turn);
@@ -46,6 +47,7 @@ impl Pose {
     }
 
     /// Displacement and velocity of a point of the body.
+    #[inline]
     pub(super) fn point(&self, from_cg: &Vector) -> (Vector, Vector) {
         let by_turn = moved(&self.shift, from_cg);
         let arm = sum(from_cg, &by_turn);
@@ -56,6 +58,7 @@ impl Pose {
     }
 
     /// The axis of the body that is vertical at rest, and its rate.
+    #[inline]
     pub(super) fn axis(&self) -> (Vector, Vector) {
         let [x, y, z] = self.shift;
         let axis = [x[2], y[2], 1.0 + z[2]];
@@ -63,11 +66,93 @@ impl Pose {
     }
 
     /// The vertical part of that axis.
+    #[inline]
     pub(super) fn upright(&self) -> f64 {
         1.0 + self.shift[2][2]
     }
 }
 
+/// A quantity of a point of the base as a function of its place p on it: at + x p_x + y p_y.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Flat {
+    pub(super) at: f64,
+    pub(super) x: f64,
+    pub(super) y: f64,
+}
+
+impl Flat {
+    #[inline]
+    pub(super) fn of(self, [x, y]: [f64; 2]) -> f64 {
+        // In this order nothing changes if x and y are swapped.
+        self.at + (self.x * x + self.y * y)
+    }
+
+    #[inline]
+    pub(super) fn times(self, factor: f64) -> Self {
+        Self {
+            at: factor * self.at,
+            x: factor * self.x,
+            y: factor * self.y,
+        }
+    }
+
+    #[inline]
+    pub(super) fn plus(self, other: Self) -> Self {
+        Self {
+            at: self.at + other.at,
+            x: self.x + other.x,
+            y: self.y + other.y,
+        }
+    }
+}
+
+impl Pose {
+    /// Displacement of the points at the height `z` from the centre of gravity, along an axis of the floor.
+    #[inline]
+    pub(super) fn displacement(&self, z: f64, axis: usize) -> Flat {
+        let row = &self.shift[axis];
+        Flat {
+            at: self.place[axis] + z * row[2],
+            x: row[0],
+            y: row[1],
+        }
+    }
+
+    /// Upward velocity of these points: v + ω × Qp.
+    #[inline]
+    pub(super) fn rising(&self, z: f64) -> Flat {
+        let [[_, xy, xz], [yx, _, yz], _] = self.shift;
+        let (xx, yy) = (1.0 + self.shift[0][0], 1.0 + self.shift[1][1]);
+        let [x, y, _] = self.omega;
+        Flat {
+            at: self.velocity[2] + z * (x * yz - y * xz),
+            x: x * yx - y * xx,
+            y: x * yy - y * xy,
+        }
+    }
+
+    /// Upward acceleration of these points, relative to the base: v̇ + ω̇ × Qp + ω × (ω × Qp), with the rates of the
+    /// state of the body.
+    #[inline]
+    pub(super) fn lifting(&self, z: f64, rates: &[f64]) -> Flat {
+        let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.shift;
+        let (xx, yy) = (1.0 + self.shift[0][0], 1.0 + self.shift[1][1]);
+        let zz = 1.0 + self.shift[2][2];
+        let omega = &self.omega;
+        let [a, b, _] = turned(&self.shift, &vector(rates, SPIN));
+        let square = dot(omega, omega);
+        let of = |arm: Vector| {
+            (a * arm[1] - b * arm[0]) + (omega[2] * dot(omega, &arm) - square * arm[2])
+        };
+        Flat {
+            at: rates[VELOCITY + 2] + z * of([xz, yz, zz]),
+            x: of([xx, yx, zx]),
+            y: of([xy, yy, zy]),
+        }
+    }
+}
+
+#[inline]
 pub(super) fn vector(y: &[f64], at: usize) -> Vector {
     [y[at], y[at + 1], y[at + 2]]
 }

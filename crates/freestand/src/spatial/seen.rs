@@ -2,12 +2,9 @@
 
 use super::element::Role;
 use super::equation::{Grips, LEN, Poses, State, World};
+use crate::compliant::HEADROOM;
 use crate::compliant::step::Step;
 use crate::search::bisect;
-
-/// A maximum inside a step exceeds its ends by at most this much: steps are short compared with the
-/// vibration on the cushions.
-pub(super) const HEADROOM: f64 = 0.8;
 
 /// How the bodies of a stack move at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +28,7 @@ pub(super) struct Seen<'a, 'b> {
     pub(super) grips: &'a Grips,
     pub(super) step: &'a Step<LEN>,
     /// The poses at its start and at its end.
-    pub(super) ends: &'a [Poses; 2],
+    pub(super) ends: [&'a Poses; 2],
 }
 
 impl Seen<'_, '_> {
@@ -44,7 +41,7 @@ impl Seen<'_, '_> {
                 .zip(self.grips.each())
                 .any(|(element, grip)| element.role == role && !grip.carries())
         };
-        let middle = self.world.poses(&self.state(0.5));
+        let middle = self.poses(0.5);
         let [lower, upper] = [middle[0], middle[1]].map(|pose| tilts(&pose.axis().0)[0]);
         match (is_open(Role::Base), is_open(Role::Interface)) {
             (false, false) => Pattern::Rest,
@@ -69,10 +66,36 @@ impl Seen<'_, '_> {
         }
     }
 
+    pub(super) fn poses(&self, share: f64) -> Poses {
+        if share == 0.0 {
+            *self.ends[0]
+        } else if share == 1.0 {
+            *self.ends[1]
+        } else {
+            self.world.poses(&self.step.state(share))
+        }
+    }
+
+    /// The largest value of the cubic with these values and rates at the ends; its rate is positive at the start and
+    /// not at the end.
+    fn top(&self, [from, to]: [(f64, f64); 2]) -> f64 {
+        let [rise, fall] = [from.1, to.1].map(|rate| rate * self.step.length_s);
+        let change = to.0 - from.0;
+        let (bend, twist) = (3.0 * change - 2.0 * rise - fall, rise + fall - 2.0 * change);
+        // rise + 2 bend s + 3 twist s² = 0, without cancellation.
+        let root = (bend * bend - 3.0 * twist * rise).sqrt();
+        let share = if bend > 0.0 {
+            (-bend - root) / (3.0 * twist)
+        } else {
+            rise / (root - bend)
+        };
+        from.0 + share * (rise + share * (bend + share * twist))
+    }
+
     /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
     /// where its rate falls through zero. `of` gives the value and its rate.
     pub(super) fn crest(&self, best: f64, of: impl Fn(&Poses) -> (f64, f64)) -> Option<(f64, f64)> {
-        let [from, to] = [of(&self.ends[0]), of(&self.ends[1])];
+        let [from, to] = self.ends.map(&of);
         let ends = from.0.max(to.0);
         if ends <= 0.0 || ends < HEADROOM * best {
             return None;
@@ -82,8 +105,8 @@ impl Seen<'_, '_> {
         } else {
             (1.0, to.0)
         };
-        if from.1 > 0.0 && to.1 <= 0.0 {
-            let inside = |share: f64| of(&self.world.poses(&self.step.state(share)));
+        if from.1 > 0.0 && to.1 <= 0.0 && !(self.top([from, to]) < NEAR_TOP * best) {
+            let inside = |share: f64| of(&self.poses(share));
             let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
             let top = inside(share).0;
             if top > most.1 {
@@ -93,6 +116,10 @@ impl Seen<'_, '_> {
         (most.1 > best).then_some(most)
     }
 }
+
+/// The cubic that has the values and rates of both ends of a step reaches at least this share of a maximum in it: its
+/// error is 1/384 of a vibration where the step is a radian long.
+const NEAR_TOP: f64 = 0.98;
 
 /// `tilt_x` and `tilt_y` of an axis; a history ends where it is horizontal, within rounding.
 pub(super) fn tilts(axis: &[f64; 3]) -> [f64; 2] {

@@ -7,8 +7,8 @@ use super::seen::Seen;
 use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
-use crate::compliant::step::{Scales, Step};
-use crate::compliant::stepper::{accurate, first_event, nearer, shortened};
+use crate::compliant::step::Step;
+use crate::compliant::stepper::{Trial, accurate, first_event, nearer, shortened};
 use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
 use crate::motion::Motion;
@@ -23,6 +23,9 @@ const SHARE: f64 = 0.5;
 /// ε of the static compression late misses ε² of its energy.
 const NEAR: f64 = 2.0;
 const PAST: f64 = 10.0;
+
+/// Longest step, as an angle of the vibration on the cushions.
+const LONGEST_RAD: f64 = 1.0;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -48,6 +51,7 @@ struct Solver<'a, 'b, F> {
     time_s: f64,
     try_s: f64,
     unit_s: f64,
+    longest_s: f64,
     sizes: State,
     tolerance: f64,
     is_resting: bool,
@@ -79,6 +83,7 @@ pub(super) fn follow(
     }
     let mut solver = Solver::new(world, options, start, observe);
     let samples = given.map_or(0, |motion| motion.accel_m_s2().len());
+    let mut step = Step::new(start, world.len());
     let mut index = 0;
     while solver.time_s < end_s && solver.fallen.is_none() && !solver.tail.is_over {
         let (line, until_s) = Line::of(motions, index, end_s);
@@ -93,7 +98,7 @@ pub(super) fn follow(
             solver.time_s = until_s;
         } else {
             solver.is_resting = false;
-            solver.pass(&line, until_s)?;
+            solver.pass(&mut step, &line, until_s)?;
         }
         index += 1;
     }
@@ -126,6 +131,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             time_s: 0.0,
             try_s: 0.1 * unit_s,
             unit_s,
+            longest_s: LONGEST_RAD * unit_s,
             sizes: sizes(world, unit_s),
             tolerance: SHARE * options.accuracy.tolerance(),
             is_resting: true,
@@ -142,17 +148,22 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     }
 
     /// Calculates one straight segment of the motion.
-    fn pass(&mut self, line: &Line, until_s: f64) -> Result<(), CompliantError> {
+    fn pass(
+        &mut self,
+        step: &mut Step<LEN>,
+        line: &Line,
+        until_s: f64,
+    ) -> Result<(), CompliantError> {
         self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
         while self.time_s < until_s && self.fallen.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (step, grow, has_event) = self.next(line, rest_s)?;
+            let (grow, has_event) = self.next(step, line, rest_s)?;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
-            self.accept(line, &step, has_event)?;
+            self.accept(line, step, has_event)?;
             if is_last {
                 self.time_s = until_s;
             }
@@ -169,67 +180,69 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         Ok(())
     }
 
-    /// The step of this length from the present state.
-    fn take(&self, line: &Line, length_s: f64) -> Step<LEN> {
-        let scales = Scales {
-            len: self.world.len(),
-            sizes: &self.sizes,
-            tolerance: self.tolerance,
-        };
+    /// Takes the step of this length from the present state; returns its error ratio.
+    fn take(&self, step: &mut Step<LEN>, line: &Line, length_s: f64) -> f64 {
         let rates = |time_s: f64, y: &State, rates: &mut State| {
             self.world
                 .enter_rates(&self.grips, line, (time_s, y), rates);
         };
-        Step::take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
+        let scales = (&self.sizes, self.tolerance);
+        step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// A step that is accurate and ends no later than its first event, the length to try next, and
+    /// Takes a step that is accurate and ends no later than its first event; returns the length to try next, and
     /// whether there is an event.
-    fn next(&mut self, line: &Line, rest_s: f64) -> Result<(Step<LEN>, f64, bool), CompliantError> {
+    fn next(
+        &mut self,
+        step: &mut Step<LEN>,
+        line: &Line,
+        rest_s: f64,
+    ) -> Result<(f64, bool), CompliantError> {
         let mut effort = self.effort;
-        let take = |length_s: f64| self.take(line, length_s);
+        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
         let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
-        let (mut step, grow) = accurate(
-            (self.time_s, self.try_s, rest_s),
-            self.unit_s,
-            take,
-            &mut effort,
-        )?;
-        let event = first_event(&step, margin);
+        let trial = Trial {
+            start_s: self.time_s,
+            try_s: self.try_s,
+            longest_s: self.longest_s,
+            rest_s,
+            unit_s: self.unit_s,
+        };
+        let grow = accurate(trial, |length_s| take(step, length_s), &mut effort)?;
+        let event = first_event(step, self.unit_s, margin);
         if let Some(share) = event {
-            let share = nearer(&step, share, NEAR * self.tolerance, margin);
+            let share = nearer(step, share, NEAR * self.tolerance, margin);
             let now = margin(self.time_s, &self.y);
-            let close = (self.unit_s, PAST * self.tolerance);
-            step = shortened(share * step.length_s, now, close, take, margin, &mut effort);
+            let (length_s, close) = (share * step.length_s, (self.unit_s, PAST * self.tolerance));
+            shortened(step, length_s, now, close, take, margin, &mut effort);
         }
         self.effort = effort;
-        Ok((step, grow, event.is_some()))
+        Ok((grow, event.is_some()))
     }
 
     fn accept(
         &mut self,
         line: &Line,
-        step: &Step<LEN>,
+        step: &mut Step<LEN>,
         has_event: bool,
     ) -> Result<(), CompliantError> {
         self.effort.steps += 1;
-        let ends = [self.poses, self.world.poses(&step.end)];
+        for body in 0..self.world.bodies.len() {
+            let turn = &mut step.end[BODY * body + TURN..BODY * body + SPIN];
+            let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
+            turn.iter_mut().for_each(|part| *part /= length);
+        }
+        let poses = self.world.poses(&step.end);
         let seen = Seen {
             world: self.world,
             grips: &self.grips,
             step,
-            ends: &ends,
+            ends: [&self.poses, &poses],
         };
         self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
-        (self.y, self.rates) = (step.end, step.end_rates);
+        (self.y, self.rates) = (step.end, *step.end_rates());
         self.time_s = step.start_s + step.length_s;
-        for body in 0..self.world.bodies.len() {
-            let turn = &mut self.y[BODY * body + TURN..BODY * body + SPIN];
-            let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
-            turn.iter_mut().for_each(|part| *part /= length);
-        }
-        let poses = self.world.poses(&self.y);
         self.poses = poses;
         if !poses[0].place[2].is_finite() {
             return Err(CompliantError::NotFinite {

@@ -3,11 +3,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Fallen;
-use super::element::Role;
+use super::element::{Element, Role};
 use super::equation::{Line, Poses, State, World};
 use super::landings::Landings;
 use super::pose::{BODY, Pose, TURN};
-use super::seen::{HEADROOM, Pattern, Seen, tilts};
+use super::seen::{Pattern, Seen, tilts};
+use crate::compliant::{HEADROOM, raise};
 use crate::rocking::Outcome;
 use crate::search::bisect;
 
@@ -66,9 +67,12 @@ pub(super) fn yaw(turn: &[f64]) -> f64 {
 
 #[derive(Debug, Clone, Copy, Default)]
 struct Peaks {
+    /// Of the largest tilt: sin², the tilt and its time.
+    square: f64,
     tilt: (f64, f64),
-    /// Signed.
+    /// `tilt_x` and `tilt_y`, signed, and the size of their tangents.
     tilts: [f64; 2],
+    tangents: [f64; 2],
     slide: f64,
     uplift: f64,
     first_uplift: Option<f64>,
@@ -103,7 +107,9 @@ impl Track {
         let mut peaks = vec![Peaks::default(); world.bodies.len()];
         let poses = world.poses(start);
         for (body, peaks) in peaks.iter_mut().enumerate() {
-            peaks.tilts = tilts(&poses[body].axis().0);
+            let axis = poses[body].axis().0;
+            peaks.tilts = tilts(&axis);
+            peaks.tangents = [0, 1].map(|side| (axis[side] / axis[2].max(0.0)).abs());
         }
         Self {
             peaks,
@@ -143,7 +149,7 @@ impl Track {
     fn tilts(&mut self, seen: &Seen<'_, '_>, body: usize) {
         let peaks = &mut self.peaks[body];
         let axis = |poses: &Poses| poses[body].axis();
-        let axis_at = |share: f64| axis(&seen.world.poses(&seen.state(share))).0;
+        let axis_at = |share: f64| axis(&seen.poses(share)).0;
         // sin²: rises with the tilt up to π/2.
         let square = |poses: &Poses| {
             let (axis, rate) = axis(poses);
@@ -152,28 +158,22 @@ impl Track {
                 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]),
             )
         };
-        if let Some((share, _)) = seen.crest(peaks.tilt.0.sin().powi(2), square) {
+        if let Some((share, most)) = seen.crest(peaks.square, square) {
             let [x, y, z] = axis_at(share);
+            peaks.square = most;
             peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
         }
         for side in 0..2 {
-            // An angle is less than its tangent: far below the largest tilt so far no angle is needed.
-            let is_small = |poses: &Poses| {
-                let [row, up] = [side, 2].map(|axis| poses[body].shift[axis][2]);
-                row.abs() < HEADROOM * peaks.tilts[side].abs() * (1.0 + up)
-            };
-            if seen.ends.iter().all(is_small) {
-                continue;
-            }
+            // The tangent rises with the angle, and needs no function.
             let size = |poses: &Poses| {
                 let (axis, rate) = axis(poses);
-                let tilt = tilts(&axis)[side];
-                (
-                    tilt.abs(),
-                    tilt.signum() * (rate[side] * axis[2] - axis[side] * rate[2]),
-                )
+                let up = axis[2].max(0.0);
+                let tangent = axis[side] / up;
+                let rise = (rate[side] * axis[2] - axis[side] * rate[2]) / (up * up);
+                (tangent.abs(), tangent.signum() * rise)
             };
-            if let Some((share, _)) = seen.crest(peaks.tilts[side].abs(), size) {
+            if let Some((share, most)) = seen.crest(peaks.tangents[side], size) {
+                peaks.tangents[side] = most;
                 peaks.tilts[side] = tilts(&axis_at(share))[side];
             }
         }
@@ -191,26 +191,38 @@ impl Track {
                 elements = elements.get(feet.len()..).unwrap_or_default();
             }
         }
+        let z = -seen.world.bodies[0].cg_height;
+        let flats = |poses: &Poses| (poses[0].displacement(z, 2), poses[0].rising(z));
+        let ends = seen.ends.map(flats);
         for element in elements {
             let body = match element.role {
                 Role::Base => 0,
                 Role::Interface => seen.world.bodies.len() - 1,
                 Role::Wall => continue,
             };
+            let point = [element.point[0], element.point[1]];
             let peaks = &mut self.peaks[body];
-            let [from, to] = [0, 1].map(|end| -seen.world.compression(element, &seen.ends[end]));
-            if from.max(to) <= HEADROOM * peaks.uplift {
-                continue;
-            }
             let height = |poses: &Poses| {
+                if element.role == Role::Base {
+                    let (height, rising) = flats(poses);
+                    return (height.of(point), rising.of(point));
+                }
                 let foot = seen.world.foot(element, poses);
                 (-foot.compression, -foot.compression_rate)
             };
+            let [from, to] = if element.role == Role::Base {
+                ends.map(|(height, _)| height.of(point))
+            } else {
+                seen.ends.map(|poses| height(poses).0)
+            };
+            if from.max(to) <= HEADROOM * peaks.uplift {
+                continue;
+            }
             if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
                 peaks.uplift = height_m;
             }
             if peaks.first_uplift.is_none() {
-                let is_up = |share: f64| height(&seen.world.poses(&seen.state(share))).0 > 0.0;
+                let is_up = |share: f64| height(&seen.poses(share)).0 > 0.0;
                 let share = if is_up(0.0) {
                     0.0
                 } else {
@@ -221,26 +233,37 @@ impl Track {
         }
     }
 
-    /// The force of the walls at the end of a step: steps are short compared with the vibration on
-    /// the cushions.
+    /// The forces of the walls.
     fn walls(&mut self, seen: &Seen<'_, '_>) {
-        let poses = &seen.ends[1];
         let pressed = seen.world.elements.iter().zip(seen.grips.each());
         let pressed =
             pressed.filter(|(element, grip)| element.role == Role::Wall && grip.carries());
-        // Of each side, at the base and above.
-        let mut forces = [[0.0; 2]; 2];
-        for (element, _) in pressed {
-            let foot = seen.world.foot(element, poses);
-            // The face of a wall on the right looks to the left; that of the object, on which a low wall
-            // presses, looks to the right.
-            let is_right = (element.sign < 0.0) == element.face_of.is_none();
-            forces[usize::from(is_right)][usize::from(element.point[2] > 0.0)] +=
-                element.pad.push(foot.compression, foot.compression_rate);
+        let pressed: Vec<&Element<'_>> = pressed.map(|(element, _)| element).collect();
+        if pressed.is_empty() {
+            return;
         }
-        for (side, [base, above]) in forces.into_iter().enumerate() {
-            self.wall_forces[side] = (base + above).max(self.wall_forces[side]);
-            self.wall_edge_forces[side] = base.max(above).max(self.wall_edge_forces[side]);
+        // Of each side, at the base and above.
+        let forces = |share: f64| {
+            let poses = seen.poses(share);
+            let mut forces = [[0.0; 2]; 2];
+            for element in &pressed {
+                let foot = seen.world.foot(element, &poses);
+                // The face of a wall on the right looks to the left; that of the object, on which a low wall
+                // presses, looks to the right.
+                let is_right = (element.sign < 0.0) == element.face_of.is_none();
+                forces[usize::from(is_right)][usize::from(element.point[2] > 0.0)] +=
+                    element.pad.push(foot.compression, foot.compression_rate);
+            }
+            forces
+        };
+        for side in 0..2 {
+            raise(&mut self.wall_forces[side], |share| {
+                forces(share)[side].iter().sum()
+            });
+            raise(&mut self.wall_edge_forces[side], |share| {
+                let [base, above] = forces(share)[side];
+                base.max(above)
+            });
         }
     }
 

@@ -132,7 +132,11 @@ fn a_restraint_holds_up_to_its_capacity() {
     let floors = floors(&context, &[1.0], 0..60, Change::None).unwrap();
     let grip = at_top(None, 1200.0);
     let mut held = HeldWorlds::default();
-    held.live_on(&context, &trial, &grip, (0, &floors[0]));
+    let stretch = Stretch {
+        first: 0,
+        floors: &floors[0],
+    };
+    held.live_on(&context, &trial, &grip, stretch);
     let (mut released, mut fallen, mut others) = (0, 0, 0);
     for (world, floor) in (0..).zip(&floors[0]) {
         let settings = &study.assessment;

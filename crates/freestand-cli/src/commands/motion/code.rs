@@ -3,8 +3,10 @@
 
 use clap::Args;
 use freestand_app::code_spectrum::{CodeSpectrum, Meant, SCHEMA};
+use freestand_report::doubts::target_doubt;
 use freestand_report::figures::code_spectrum_figure;
 use freestand_report::motion::code_spectrum_text;
+use freestand_report::target::CodeSpectrumAnswer;
 
 use crate::args::GlobalArgs;
 use crate::commands::{Done, Tell};
@@ -35,10 +37,15 @@ impl Tell for CodeSpectrum {
         let files = Files::with_tables(global, &meant.inputs, tables, SCHEMA, None)?;
         files.table("spectrum", || report.table())?;
         files.figure("spectrum", || code_spectrum_figure(&report))?;
-        let warnings = &meant.target.warnings;
-        files.print(printer, SCHEMA, &report, warnings, || {
-            code_spectrum_text(&report)
-        })?;
+        let doubts = meant.target.doubts.iter();
+        let warnings: Vec<String> = doubts.map(target_doubt).collect();
+        files.print(
+            printer,
+            SCHEMA,
+            &CodeSpectrumAnswer(&report),
+            &warnings,
+            || code_spectrum_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

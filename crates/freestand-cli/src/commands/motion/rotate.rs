@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::pair::{ROTATE, Rotate, RotateReport, Turning};
+use freestand_report::doubts::motion_doubts;
 use freestand_study::pair::rotate;
 
 use super::convert::{shown, write};
@@ -54,8 +55,9 @@ impl Tell for Rotate {
             azimuth_deg: turned.azimuth_deg,
             motion,
         };
-        files.finish(ROTATE, &report, &turned.warnings)?;
-        printer.result(ROTATE, &report, &turned.warnings, || shown(&report.motion))?;
+        let warnings = motion_doubts(&turned.doubts);
+        files.finish(ROTATE, &report, &warnings)?;
+        printer.result(ROTATE, &report, &warnings, || shown(&report.motion))?;
         Ok(Done::OK)
     }
 }

@@ -3,6 +3,7 @@
 use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::pair::{ROTD, Rotd};
+use freestand_report::doubts::motion_doubts;
 use freestand_report::motion::rotd_text;
 use freestand_study::inspect::rotd;
 
@@ -39,9 +40,13 @@ impl Tell for Rotd {
         let report = rotd(&read, &request)?;
         let files = Files::with_tables(global, &inputs, tables, ROTD, None)?;
         files.table("rotd", || report.table())?;
-        files.print(printer, ROTD, &report, &report.warnings, || {
-            rotd_text(&report)
-        })?;
+        files.print(
+            printer,
+            ROTD,
+            &report,
+            &motion_doubts(&report.doubts),
+            || rotd_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

@@ -6,7 +6,9 @@ use freestand::motion::Motion;
 use freestand::synthesis::matched_periods_s;
 use freestand_app::simulate::{Meant, SCHEMA, Simulate};
 use freestand_records::formats::write_csv;
+use freestand_report::doubts::outside_limits;
 use freestand_report::figures::{MatchedPicture, Words, matched_figure, record_figure};
+use freestand_report::ground::{SimulatedAnswer, assumptions};
 use freestand_report::motion::earthquakes_text;
 use freestand_study::simulated::{SimulatedReport, simulate};
 
@@ -51,11 +53,15 @@ impl Tell for Simulate {
             files.table("fourier_amplitude", || report.fourier_table())?;
             draw(&report, &files)?;
         }
-        warnings.extend(report.warnings.iter().cloned());
-        warnings.extend(request.assumptions());
-        files.print(printer, SCHEMA, &report, &warnings, || {
-            earthquakes_text(&report)
-        })?;
+        warnings.extend(report.limits.iter().map(outside_limits));
+        warnings.extend(assumptions(&request));
+        files.print(
+            printer,
+            SCHEMA,
+            &SimulatedAnswer(&report),
+            &warnings,
+            || earthquakes_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use freestand_app::motion::{Meant, MotionSpectrum, SPECTRUM, SpectrumAnswer};
+use freestand_report::doubts::motion_doubts;
 use freestand_report::figures::spectrum_figure;
 use freestand_report::motion::response_text;
 use freestand_study::inspect::spectrum;
@@ -50,9 +51,13 @@ impl Tell for MotionSpectrum {
             report: &report,
             plots,
         };
-        files.print(printer, SPECTRUM, &document, &report.warnings, || {
-            response_text(&report)
-        })?;
+        files.print(
+            printer,
+            SPECTRUM,
+            &document,
+            &motion_doubts(&report.doubts),
+            || response_text(&report),
+        )?;
         Ok(Done::OK)
     }
 }

@@ -4,8 +4,10 @@ use clap::Args;
 use freestand_app::motion::Meant;
 use freestand_app::synth::{Match, SCHEMA, Synth};
 use freestand_records::formats::write_csv;
+use freestand_report::doubts::fit_doubt;
 use freestand_report::figures::{Words, fit_figure, record_figure};
 use freestand_report::motion::fits_text;
+use freestand_report::target::FitAnswer;
 use freestand_study::matched::{FitReport, FittedMotion, match_one, synth};
 
 use crate::args::GlobalArgs;
@@ -84,8 +86,11 @@ fn finish(
         };
         files.figure(name, || record_figure(words, motion))?;
     }
-    let warnings = [&report.warnings(), notes].concat();
-    files.finish(SCHEMA, &report, &warnings)?;
-    printer.result(SCHEMA, &report, &warnings, || fits_text(&report))?;
+    let doubts: Vec<String> = report.doubts().iter().map(fit_doubt).collect();
+    let warnings = [&doubts, notes].concat();
+    files.finish(SCHEMA, &FitAnswer(&report), &warnings)?;
+    printer.result(SCHEMA, &FitAnswer(&report), &warnings, || {
+        fits_text(&report)
+    })?;
     Ok(Done::OK)
 }

@@ -452,13 +452,13 @@ fn depends_on(shares: &Shares) -> Vec<String> {
     if !named.is_empty() {
         said.push(format!("The answer depends on: {}.", named.join(", ")));
     }
-    if let Some((cause, low, high)) = &shares.measure_first {
+    if let Some(first) = &shares.measure_first {
         said.push(format!(
             "Measure first: {}. At its 10 % point the probability is {}, at its 90 % point {}: on both sides of the \
              accepted one.",
-            cause.name(),
-            percent(*low, 0),
-            percent(*high, 0)
+            first.cause.name(),
+            percent(first.low_ratio, 0),
+            percent(first.high_ratio, 0)
         ));
     }
     said

@@ -10,15 +10,18 @@ use freestand_input::words::{fixed, number, percent};
 use freestand_study::building::{damping_words, model_words};
 use freestand_study::cushion::{EdgeCushion, cushion_words};
 use freestand_study::result::StudyResult;
-use freestand_study::simulated::source_words;
 use freestand_study::study::{
     BuildingInput, Ground, RecordedMotion, SimulatedGround, Study, SyntheticGround,
 };
 use freestand_study::suite::Suite;
-use freestand_study::summary::{accuracy_words, restitution_words};
+use freestand_study::summary::accuracy_words;
 use freestand_study::target::Target;
 
+use super::super::summary::restitution_words;
 use super::{headings, or_dash};
+use crate::doubts::{dispersion, mean_off, period_from};
+use crate::ground;
+use crate::target::facts as facts_of;
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
 
 /// Ground, building and objects.
@@ -29,7 +32,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
         Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
         Ground::Recorded(records) => {
             if let Some(target) = study.ground.target() {
-                html += &properties("", &target.fact_rows());
+                html += &properties("", &facts_of(target));
             }
             html += &study
                 .ground
@@ -64,7 +67,7 @@ pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
 
 /// Where the vertical motion comes from, and how strong it is.
 fn vertical_motion(study: &Study, result: &StudyResult) -> String {
-    let words = study.ground.vertical_words();
+    let words = ground::vertical_motion(&study.ground);
     let peaks_g = result
         .ground
         .iter()
@@ -87,7 +90,7 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
 
 fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
     let target = &synthetic.target;
-    let mut facts = target.fact_rows();
+    let mut facts = facts_of(target);
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
     properties("", &facts) + &misfits(target, result)
@@ -148,7 +151,10 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
             "Source",
             format!("stochastic point source, preset {}", request.preset.name()),
         ),
-        ("Source and path", source_words(&request.any_source())),
+        (
+            "Source and path",
+            ground::source_words(&request.any_source()),
+        ),
     ];
     if let Some(code) = &simulated.hazard {
         let meets = format!(
@@ -215,16 +221,22 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
 fn suite_selected(suite: &Suite) -> String {
-    let mut facts = suite.target.fact_rows();
+    let mut facts = facts_of(&suite.target);
     let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
         (
             "Suite",
-            format!("{}, of the folder {folder}", suite.count_words()),
+            format!("{}, of the folder {folder}", ground::count_words(suite)),
         ),
-        ("Periods compared", suite.period_words()),
-        ("Mean of ln Sa against ln of the target", suite.mean_words()),
-        ("Standard deviation of ln Sa", suite.sd_words()),
+        ("Periods compared", ground::period_words(suite)),
+        (
+            "Mean of ln Sa against ln of the target",
+            mean_off(suite.mean_off()),
+        ),
+        (
+            "Standard deviation of ln Sa",
+            dispersion(suite.dispersion()),
+        ),
         (
             "Files that are not records of horizontal motion",
             suite.skipped.join(", "),
@@ -308,10 +320,11 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
         None => format!("{}, {} m in all", building.storeys, number(height_m, 5)),
     };
     let across = building.across.as_ref().map_or_else(String::new, |across| {
-        let note = building.across_note.as_deref().unwrap_or_default();
+        let from = building.across_from.as_ref().map(period_from);
         let (model, period) = (model_words(across), number(across.period_s(), 4));
         format!(
-            "{model}; T₁ = {period} s: {note}; damping {}",
+            "{model}; T₁ = {period} s: {}; damping {}",
+            from.unwrap_or_default(),
             damping_words(across)
         )
     });
@@ -323,7 +336,11 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             ("Storeys", storeys),
             (
                 "Fundamental period T₁",
-                format!("{} s: {}", number(beam.period_s(), 4), building.period_note),
+                format!(
+                    "{} s: {}",
+                    number(beam.period_s(), 4),
+                    period_from(&building.period_from)
+                ),
             ),
             ("Damping", damping_words(beam)),
             ("Second axis", across),

@@ -1,5 +1,7 @@
 //! The top of the report: title, summary, first table and warnings.
 
+use crate::doubts::study_doubts;
+use crate::ground::{earthquake, simulated_earthquakes};
 use freestand_input::file::file_name;
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, percent};
@@ -16,12 +18,14 @@ use freestand_study::provenance::Provenance;
 /// Title of the report.
 pub(super) fn title(study: &Study) -> String {
     match &study.ground {
-        Ground::Synthetic(synthetic) => format!(
-            "Free-standing objects in {}",
-            synthetic.target.title_words()
-        ),
+        Ground::Synthetic(synthetic) => {
+            format!("Free-standing objects in {}", earthquake(&synthetic.target))
+        }
         Ground::Simulated(simulated) => {
-            format!("Free-standing objects in {}", simulated.title_words())
+            format!(
+                "Free-standing objects in {}",
+                simulated_earthquakes(simulated)
+            )
         }
         Ground::Recorded(records) if records.len() == 1 => {
             format!("Free-standing objects under the motion {}", records[0].name)
@@ -77,10 +81,11 @@ pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
     html += &tolerance_words(study, &levels);
     html += &failures(result);
     html += "<div class=\"warn\">\n<h2>Validity warnings</h2>\n";
-    if result.warnings.is_empty() {
+    if result.doubts.is_empty() {
         html += "<p>None.</p>\n";
     } else {
-        let shown = result.warnings.iter().map(|one| KeyStyle::Flag.shown(one));
+        let doubts = study_doubts(&result.doubts).into_iter();
+        let shown = doubts.map(|one| KeyStyle::Flag.shown(&one));
         html += &list(&shown.collect::<Vec<_>>());
     }
     html += "</div>\n";

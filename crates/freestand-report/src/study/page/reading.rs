@@ -194,7 +194,7 @@ pub(super) fn assumptions(study: &Study) -> String {
         Ground::Recorded(_) | Ground::OnFloors => {}
     }
     let assumed = if let Ground::Simulated(simulated) = &study.ground {
-        simulated.request.assumptions()
+        crate::ground::assumptions(&simulated.request)
     } else {
         vec![]
     };

@@ -5,7 +5,9 @@ use freestand_input::words::{fixed, percent};
 use freestand_study::result::StudyResult;
 use freestand_study::result::VariedLevel;
 
+use super::super::sensitivity::joined_doubts;
 use super::{headings, or_dash};
+use crate::doubts::{no_result, not_varied};
 use freestand_output::html::{Cell, classed_table, list, paragraph, words};
 
 /// A table for each level; empty where nothing was varied.
@@ -47,7 +49,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
             remarks.push(remark);
         }
     }
-    remarks.extend(sensitivity.left_out.iter().cloned());
+    remarks.extend(sensitivity.left_out.iter().map(not_varied));
     if !remarks.is_empty() {
         let shown = remarks.iter().map(|one| KeyStyle::Flag.shown(one));
         html += &list(&shown.collect::<Vec<_>>());
@@ -60,8 +62,8 @@ fn remark(row: &VariedLevel) -> Option<String> {
     let why = row
         .reason
         .as_ref()
-        .map(ToString::to_string)
-        .or_else(|| row.warnings.clone())?;
+        .map(no_result)
+        .or_else(|| joined_doubts(row))?;
     Some(format!("{}: {why}", row.words()))
 }
 

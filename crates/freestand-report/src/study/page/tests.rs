@@ -3,6 +3,7 @@ use crate::figures::figures;
 use crate::study::fixture;
 use freestand_output::figure::Figure;
 use freestand_study::provenance::provenance;
+use freestand_study::study::StudyDoubt;
 
 fn rendered(recorded: bool) -> (Vec<Figure>, String) {
     let mut study = fixture::study();
@@ -16,7 +17,9 @@ fn rendered(recorded: bool) -> (Vec<Figure>, String) {
         for (level, named) in result.levels.iter_mut().zip(&study.levels) {
             level.level = named.clone();
         }
-        result.warnings.push("<script>alert(2)</script>".into());
+        result
+            .doubts
+            .push(StudyDoubt::OfRecords("<script>alert(2)</script>".into()));
         let history = result.history.as_mut().unwrap();
         history.level = study.levels[1].name.clone();
         history.motion = result.ground[0].name.clone();
@@ -281,7 +284,7 @@ fn the_smallest_study_has_a_report_too() {
     let mut result = fixture::result(&study);
     result.ground.truncate(1);
     result.history = None;
-    result.warnings.clear();
+    result.doubts.clear();
     for level in &mut result.levels {
         level.floors.truncate(1);
         level.spectra.truncate(1);

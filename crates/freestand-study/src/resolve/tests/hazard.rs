@@ -1,6 +1,9 @@
 //! A hazard in place of that of a study, and periods of buildings by its code.
 
+use freestand::code_spectrum::{FrameKind, PeriodCode};
+
 use super::*;
+use crate::building::{BuildingDoubt, PeriodFrom};
 
 #[test]
 fn a_place_in_place_of_the_hazard_of_a_study() {
@@ -84,8 +87,12 @@ fn periods_by_the_code_and_the_height() {
         building("[building]\nstoreys = 12\nheight = \"40 m\"\nframe = \"concrete-moment\"\n");
     assert_eq!((tower.storeys, tower.height_m), (12, 40.0));
     assert_eq!(
-        tower.period_note,
-        "AS 1170.4, 6.2.3: T = 1.25 × 0.075 H^0.75 with H = 40 m (frame \"concrete-moment\")"
+        tower.period_from,
+        PeriodFrom::Formula {
+            code: PeriodCode::As1170_4,
+            frame: FrameKind::MomentConcrete,
+            height_m: 40.0
+        }
     );
     // 131 ft 3 in is 40.005 m: 12.5 storeys of 3.2 m.
     assert_eq!(
@@ -96,15 +103,21 @@ fn periods_by_the_code_and_the_height() {
         "[ground]\nplace = \"Athens\"\n[building]\nstoreys = 5\nstorey_height = \"3.2 m\"\n",
     );
     // 0.05 · 16^0.75 = 0.4, to the rounding of the power.
-    assert!((athens.along.period_s() - 0.4).abs() < 1e-14 && athens.warnings.is_empty());
+    assert!((athens.along.period_s() - 0.4).abs() < 1e-14 && athens.doubts.is_empty());
     let high = building("[ground]\nplace = \"Athens\"\n");
     assert!(
-        high.warnings[0].contains("buildings up to 40 m"),
+        matches!(
+            high.doubts[0],
+            BuildingDoubt::TooHigh {
+                greatest_m: 40.0,
+                ..
+            }
+        ),
         "{:?}",
-        high.warnings
+        high.doubts
     );
     let stated = building("[ground]\nplace = \"Athens\"\n[building]\nperiod = \"2 s\"\n");
-    assert!(stated.warnings.is_empty() && stated.period_code.is_none());
+    assert!(stated.doubts.is_empty() && stated.period_code.is_none());
     let other = building(
         "[building]\nperiod_code = \"asce7\"\nheight = \"30 m\"\nframe = \"steel-moment\"\n",
     );

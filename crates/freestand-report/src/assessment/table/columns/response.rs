@@ -568,7 +568,7 @@ pub(super) const COLUMNS: &[Column] = &[
         "what to measure first: the accepted probability lies between its two ends",
         |l| {
             of_text(l, |found| {
-                Some(found.shares.as_ref()?.measure_first?.0.name())
+                Some(found.shares.as_ref()?.measure_first?.cause.name())
             })
         },
     ),
@@ -576,13 +576,21 @@ pub(super) const COLUMNS: &[Column] = &[
         "measure_first_low",
         "1",
         "probability where that is at its 10 % point",
-        |l| of(l, |found| Some(found.shares.as_ref()?.measure_first?.1)),
+        |l| {
+            of(l, |found| {
+                Some(found.shares.as_ref()?.measure_first?.low_ratio)
+            })
+        },
     ),
     number(
         "measure_first_high",
         "1",
         "probability where that is at its 90 % point",
-        |l| of(l, |found| Some(found.shares.as_ref()?.measure_first?.2)),
+        |l| {
+            of(l, |found| {
+                Some(found.shares.as_ref()?.measure_first?.high_ratio)
+            })
+        },
     ),
     text("notes", "notes in the inventory", |l| {
         Cell::text(&l.item.notes)

@@ -4,12 +4,16 @@ use freestand::G0_M_S2;
 use freestand_input::quantity::{Dimension, format_si};
 use freestand_input::words::{counted, significant, some};
 use freestand_output::answer_of;
+use freestand_study::building::{damping_words, model_words};
+use freestand_study::cushion::cushion_words;
+use freestand_study::simulated::FoundEarthquake;
+use freestand_study::study::{
+    BuildingInput, Ground, Level, Objects, RecordedMotion, SimulatedGround, Study,
+};
+use freestand_study::suite::{NAMED, Suite};
 
-use crate::building::{damping_words, model_words};
-use crate::cushion::cushion_words;
-use crate::simulated::FoundEarthquake;
-use crate::study::{BuildingInput, Ground, Level, Objects, RecordedMotion, SimulatedGround, Study};
-use crate::suite::{NAMED, Suite};
+use crate::doubts::{dispersion, mean_off, period_from};
+use crate::ground::{count_words, period_words, vertical_motion};
 
 /// What a study means: its motions, building, levels and objects.
 #[derive(Debug, Clone, Copy)]
@@ -31,7 +35,7 @@ answer_of!(Check<'_> as check.0 {
     path: Option<String> = check.path();
     __: String = format!("{}: valid", check.path().as_deref().unwrap_or("built-in")) => "study";
     ground: String = ground_words(&check.0.ground, check.recorded().len()) => "ground";
-    vertical: String = check.0.ground.vertical_words()
+    vertical: String = vertical_motion(&check.0.ground)
         => (if check.0.ground.has_vertical() { "vertical" } else { "" });
     /// Those that were read from files.
     motions: Vec<OfMotion<'_>> = check.recorded().into_iter().map(OfMotion).collect();
@@ -150,10 +154,10 @@ fn simulated_words(simulated: &SimulatedGround) -> String {
 answer_of!(
     /// How the motions were selected.
     struct OfSuite<'s>(&'s Suite) as of {
-    __: String = format!("{}, of {}", of.0.count_words(), of.0.folder.display()) => "suite";
-    __: String = of.0.period_words() => "periods";
-    __: String = of.0.mean_words() => "mean ln Sa";
-    __: String = of.0.sd_words() => "sd of ln Sa";
+    __: String = format!("{}, of {}", count_words(of.0), of.0.folder.display()) => "suite";
+    __: String = period_words(of.0) => "periods";
+    __: String = mean_off(of.0.mean_off()) => "mean ln Sa";
+    __: String = dispersion(of.0.dispersion()) => "sd of ln Sa";
     __: Option<String> = files(of.0.left_out.iter().map(|one| one.file.clone()).collect()) => "left out";
     __: Option<String> = files(of.0.skipped.clone()) => "no records";
     suite: &Suite = of.0;
@@ -227,7 +231,7 @@ impl<'s> OfBuilding<'s> {
 
     fn period(&self) -> String {
         let period_s = significant(self.input.along.period_s(), 4);
-        format!("{period_s} s: {}", self.input.period_note)
+        format!("{period_s} s: {}", period_from(&self.input.period_from))
     }
 
     fn model(&self) -> String {
