@@ -1,5 +1,6 @@
 //! What may make a history or a study wrong and what its reader must know, as sentences.
 
+mod limit;
 mod simulation;
 mod study;
 mod target;
@@ -15,6 +16,7 @@ use freestand_study::doubt::{
     UnlikelySize,
 };
 
+pub use limit::model_limit;
 pub use simulation::{outside_limits, simulation_assumption};
 pub use study::{
     assumed_at, building_doubt, fit_doubt, not_varied, period_from, study_doubt, study_doubts,
@@ -27,8 +29,9 @@ pub use target::{place_doubt, target_doubt};
 pub fn history_doubt(doubt: &HistoryDoubt) -> String {
     match doubt {
         HistoryDoubt::Size(size) => unlikely_size(size),
-        HistoryDoubt::Validity(limit) => limit.to_string(),
+        HistoryDoubt::Validity(limit) => model_limit(limit),
         HistoryDoubt::SlidesByAssumption(limit) => {
+            let limit = model_limit(limit);
             format!("{limit}; this coefficient is assumed: `friction` replaces it")
         }
         HistoryDoubt::LeavesTheFloor => {
@@ -133,7 +136,7 @@ fn squat_objects(objects: &SquatObjects) -> String {
     let [height, thickness] =
         [height_m, thickness_m].map(|size_m| format_si(size_m, Dimension::Length));
     let are = if count == 1 { "is" } else { "are" };
-    let squat = ValidityWarning::Squat { landing_ratio };
+    let squat = model_limit(&ValidityWarning::Squat { landing_ratio });
     format!(
         "{count} of {objects} objects {are} squat, the first {height} high and {thickness} thick: {squat}"
     )
@@ -256,9 +259,12 @@ pub fn spectrum_doubt(doubt: &SpectrumDoubt) -> String {
     match doubt {
         SpectrumDoubt::Squat(objects) => squat_objects(objects),
         SpectrumDoubt::Size(size) => unlikely_size(size),
-        SpectrumDoubt::Validity(limit) => limit.to_string(),
+        SpectrumDoubt::Validity(limit) => model_limit(limit),
         SpectrumDoubt::OfDeepestLanding(limit) => {
-            format!("the landing with the largest compression: {limit}")
+            format!(
+                "the landing with the largest compression: {}",
+                model_limit(limit)
+            )
         }
         SpectrumDoubt::Failed { failed, total } => {
             format!("{failed} of {total} histories could not be calculated: see the column reason")

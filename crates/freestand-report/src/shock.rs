@@ -7,6 +7,8 @@ use freestand_study::shock::{
     NoLargestStiffness, ShockAnswer, ShockDoubt, ShockNote, ShockReport, TestsDoubt,
 };
 
+use crate::doubts::model_limit;
+
 answer! {
     /// The shock of a landing, and what its reader must know.
     pub struct LandingReport {
@@ -34,7 +36,7 @@ pub fn shock_doubt(doubt: &ShockDoubt) -> String {
             let balance = balance.words();
             return format!("the object is beyond its {balance}: if released, it would overturn");
         }
-        ShockDoubt::Validity(limit) => return limit.to_string(),
+        ShockDoubt::Validity(limit) => return model_limit(limit),
         ShockDoubt::EdgeUnused => {
             "an object that falls over lands on its side: the stiffness of its edge is not used"
         }

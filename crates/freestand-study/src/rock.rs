@@ -265,12 +265,12 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
         doubts.extend(of_cushion.into_iter().map(HistoryDoubt::Validity));
     }
     let friction_ratio = request.friction.unwrap_or(ASSUMED_FRICTION);
-    let mut sliding = |needed_ratio: f64, when| {
+    let mut sliding = |needed_ratio: f64, in_impact: bool| {
         if needed_ratio > friction_ratio {
             let warning = ValidityWarning::Sliding {
                 needed_ratio,
                 friction_ratio,
-                when,
+                in_impact,
             };
             doubts.push(match request.friction {
                 Some(_) => HistoryDoubt::Validity(warning),
@@ -280,10 +280,10 @@ fn report(request: &RockRequest, history: RigidHistory) -> RockReport {
     };
     if let Some(needed) = friction {
         if needed.is_finite() {
-            sliding(needed, "while rocking");
+            sliding(needed, false);
         }
         if !rocking.impacts.is_empty() {
-            sliding(impact_friction, "in an impact");
+            sliding(impact_friction, true);
         }
     }
     if friction.is_some_and(f64::is_infinite) {

@@ -318,13 +318,9 @@ pub const SUSPICIOUS_STIFFNESS_N_M: f64 = 20_000.0;
 pub const ASSUMED_FRICTION: f64 = 0.5;
 
 /// Where a result is outside the range of its model.
-#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[derive(Debug, Clone, Copy, PartialEq, strum::EnumCount)]
 pub enum ValidityWarning {
     /// The weight alone would compress the pad completely.
-    #[error(
-        "the weight alone would compress the cushion by {compression_mm:.4} mm, more than its {limit_mm} mm: was the \
-         stiffness given in N/m instead of N/mm?"
-    )]
     StaticCompression {
         /// Compression under the weight alone, m g/k.
         compression_mm: f64,
@@ -332,19 +328,12 @@ pub enum ValidityWarning {
         limit_mm: f64,
     },
     /// A spring softer than any cushion.
-    #[error(
-        "the stiffness of {stiffness_n_mm:.4} N/mm under one edge is very low: was it given in N/m instead of N/mm?"
-    )]
     LowStiffness {
         /// Stiffness k under one edge.
         stiffness_n_mm: f64,
     },
     /// The impact compresses the pad by more than half of its thickness, where a linear law no
     /// longer holds.
-    #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm of its {limit_mm} mm: a pad stiffens as it \
-         bottoms, so the shock is higher than the linear law gives"
-    )]
     Bottoming {
         /// Peak compression.
         compression_mm: f64,
@@ -352,10 +341,6 @@ pub enum ValidityWarning {
         limit_mm: f64,
     },
     /// A Hertz law, which assumes a deep pad, on a pad that is too thin for it.
-    #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm of its {limit_mm} mm: beyond a quarter of the \
-         thickness a Hertz law no longer holds, the pad stiffens and the shock is higher"
-    )]
     HalfSpace {
         /// Peak compression.
         compression_mm: f64,
@@ -363,10 +348,6 @@ pub enum ValidityWarning {
         limit_mm: f64,
     },
     /// A tangent law close to its bottoming compression.
-    #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm of the {bottoming_mm} mm at which it bottoms: \
-         the shock is that of a bottomed pad and depends mainly on where it bottoms"
-    )]
     Bottomed {
         /// Peak compression.
         compression_mm: f64,
@@ -374,35 +355,23 @@ pub enum ValidityWarning {
         bottoming_mm: f64,
     },
     /// More compression than the table covers.
-    #[error(
-        "the impact compresses the cushion by {compression_mm:.2} mm, beyond the last point of its force table: the \
-         last line of the table was extended"
-    )]
     BeyondTable {
         /// Peak compression.
         compression_mm: f64,
     },
     /// h/t < 0.7071: the object cannot rock through an impact.
-    #[error(
-        "a squat object (Housner's ratio {landing_ratio:.3} is negative, h/t < 0.707 for a uniform block) cannot \
-         rock through an impact: landings are halted (r = 0 in the motion, shock by Eq. (8))"
-    )]
     Squat {
         /// Housner's ratio R_D, Eq. (6).
         landing_ratio: f64,
     },
     /// The motion requires more friction than is available.
-    #[error(
-        "the object needs a coefficient of friction of {needed_ratio:.3} {when}, more than the available \
-         {friction_ratio}: it may slide, which the model does not cover"
-    )]
     Sliding {
         /// The coefficient of friction F_x/N that is required.
         needed_ratio: f64,
         /// The coefficient of friction that is available.
         friction_ratio: f64,
-        /// "while rocking" or "in an impact".
-        when: &'static str,
+        /// In an impact, and not while rocking.
+        in_impact: bool,
     },
 }
 

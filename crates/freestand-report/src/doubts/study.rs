@@ -11,6 +11,7 @@ use freestand_study::result::{NoResult, NotVaried, Same, WhyNotVaried};
 use freestand_study::study::{Assumed, Study, StudyDoubt, UsedFriction};
 use freestand_study::suite::{Dispersion, LeftOut, MeanOff, SuiteDoubt, some_left_out};
 
+use super::limit::model_limit;
 use super::simulation::{outside_limits, simulation_assumption};
 use super::squat_objects;
 use super::target::target_doubt;
@@ -49,7 +50,7 @@ fn words(doubt: &StudyDoubt) -> String {
              storeys",
             number(*height_m, 4)
         ),
-        StudyDoubt::Cushion(limit) => limit.to_string(),
+        StudyDoubt::Cushion(limit) => model_limit(limit),
         StudyDoubt::Squat(objects) => squat_objects(objects),
         StudyDoubt::OfType { number, doubt } => {
             format!("with the spectrum of type {number}: {}", words(doubt))

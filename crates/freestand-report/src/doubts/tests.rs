@@ -22,7 +22,7 @@ fn every_doubt_and_note_in_words() {
     let sliding = ValidityWarning::Sliding {
         needed_ratio: 0.6,
         friction_ratio: 0.5,
-        when: "while rocking",
+        in_impact: false,
     };
     let squat = ValidityWarning::Squat {
         landing_ratio: -0.1,

@@ -20,7 +20,7 @@ use super::answer::OfObject;
 use super::curves::curves_text;
 use super::doubts::{curve_doubts, hazard_doubt};
 use crate::assessment::{JobReport, head, said};
-use crate::doubts::unlikely_size;
+use crate::doubts::{model_limit, unlikely_size};
 use crate::table::{Column, facts_table};
 
 /// How many objects that were left out are named.
@@ -102,7 +102,7 @@ impl<'r> RunsAnswer<'r> {
             warnings.extend(sizes.iter().map(unlikely_size));
             let body = object.body.iter();
             let doubts = body.flat_map(|(mass_kg, edge)| edge.stiffness_doubts(*mass_kg));
-            warnings.extend(doubts.map(|doubt| doubt.to_string()));
+            warnings.extend(doubts.map(|doubt| model_limit(&doubt)));
         }
         warnings
     }

@@ -27,7 +27,7 @@ fn every_doubt_and_note_in_words() {
         ShockDoubt::Validity(ValidityWarning::Sliding {
             needed_ratio: 0.61,
             friction_ratio: 0.5,
-            when: "in an impact",
+            in_impact: true,
         }),
         ShockDoubt::EdgeUnused,
         ShockDoubt::RiseUnused,

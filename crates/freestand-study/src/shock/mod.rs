@@ -600,7 +600,7 @@ fn report(
         doubts.push(ShockDoubt::Validity(ValidityWarning::Sliding {
             needed_ratio,
             friction_ratio,
-            when: "in an impact",
+            in_impact: true,
         }));
     }
     if landing.model == ImpactModel::FreeCorner {
