@@ -126,7 +126,7 @@ pub(super) mod body {
 #[cfg(test)]
 mod tests {
     use freestand::cushion::{ContactLaw, Cushion};
-    use freestand_study::cushion::EdgeCushion;
+    use freestand_study::cushion::{CushionNote, EdgeCushion};
 
     use super::*;
     use crate::library::Lookup;
@@ -206,7 +206,7 @@ mod tests {
             let edge = EdgeCushion {
                 cushion,
                 pad_thickness_m: Some(0.02),
-                notes: vec!["two pads".to_owned()],
+                notes: vec![CushionNote::HertzExponent],
             };
             let item = Item {
                 cushion: Some(edge),

@@ -13,7 +13,7 @@ mod doubts;
 
 pub use self::doubts::{curve_doubt, drops_doubts, statics_doubt};
 use self::doubts::{no_pad, no_stiffness};
-use crate::doubts::model_limit;
+use crate::doubts::{cushion_note, model_limit};
 use crate::table::{Column, facts_table, failed_lines, lines};
 
 answer_of!(
@@ -108,7 +108,7 @@ pub fn virtual_pad_notes(
         format!("the {key} of the {law} pad is not given; {value} is assumed")
     });
     let doubts = doubts.iter().map(model_limit);
-    let read = edge.notes.iter().cloned();
+    let read = edge.notes.iter().map(cushion_note);
     read.chain(assumed).chain(doubts).collect()
 }
 

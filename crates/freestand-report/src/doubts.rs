@@ -1,5 +1,6 @@
 //! What may make a history or a study wrong and what its reader must know, as sentences.
 
+mod cushion;
 mod limit;
 mod simulation;
 mod study;
@@ -16,6 +17,8 @@ use freestand_study::doubt::{
     UnlikelySize,
 };
 
+pub use cushion::cushion_note;
+pub(crate) use cushion::cushion_notes;
 pub use limit::model_limit;
 pub use simulation::{outside_limits, simulation_assumption};
 pub use study::{
@@ -233,7 +236,7 @@ fn note(note: &HistoryNote) -> String {
         HistoryNote::HullOfScan => {
             "the scan has holes or several parts: its convex hull, with uniform density, is used instead"
         }
-        HistoryNote::Cushion(words) => words,
+        HistoryNote::Cushion(note) => return cushion_note(note),
     };
     words.to_owned()
 }

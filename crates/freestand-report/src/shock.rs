@@ -7,7 +7,7 @@ use freestand_study::shock::{
     NoLargestStiffness, ShockAnswer, ShockDoubt, ShockNote, ShockReport, TestsDoubt,
 };
 
-use crate::doubts::model_limit;
+use crate::doubts::{cushion_note, model_limit};
 
 answer! {
     /// The shock of a landing, and what its reader must know.
@@ -102,7 +102,7 @@ fn joined(lines: &[usize]) -> String {
 
 fn note(note: &ShockNote) -> String {
     match note {
-        ShockNote::Cushion(words) => words.clone(),
+        ShockNote::Cushion(note) => cushion_note(note),
         ShockNote::ImpliedStiffness(stiffness_n_m) => format!(
             "the measured drop acceleration implies {}",
             format_si(*stiffness_n_m, Dimension::Stiffness)

@@ -5,6 +5,8 @@ use std::ops::RangeInclusive;
 use freestand::impact::ValidityWarning;
 use strum::EnumCount;
 
+use crate::cushion::CushionNote;
+
 /// A size that hardly any object has.
 #[derive(Debug, Clone, PartialEq)]
 pub struct UnlikelySize {
@@ -126,7 +128,7 @@ pub enum HistoryNote {
     /// The convex hull takes the place of a scan.
     HullOfScan,
     /// How the cushion was read.
-    Cushion(String),
+    Cushion(CushionNote),
 }
 
 /// Something that may make rows of spectra wrong.

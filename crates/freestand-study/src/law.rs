@@ -4,15 +4,28 @@ use freestand_input::problem::Problem;
 use freestand_input::quantity::{
     Dimension, is_possible, parse, parse_coefficient, shorten, too_large,
 };
-use freestand_input::words::number;
+use serde::{Deserialize, Serialize};
 
 /// Largest difference between an exponent in a unit and the same exponent under its key.
 const SAME_EXPONENT: f64 = 1e-9;
 
-/// The coefficient K of F = K dⁿ in N/mⁿ, and a note if the unit was completed.
+/// A stiffness whose unit has no exponent, read as the secant at 1 mm of a law that has one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Secant {
+    /// As it was written, shortened.
+    pub written: String,
+    /// That stiffness \[N/m\].
+    pub stiffness_n_m: f64,
+    /// n of F = K dⁿ.
+    pub exponent: f64,
+    /// K \[N/mⁿ\].
+    pub coefficient_n_mn: f64,
+}
+
+/// The coefficient K of F = K dⁿ in N/mⁿ, and how it was read if the unit was completed.
 ///
 /// `"2190 N/mm"` for n = 1; `"2e7 N/m^1.5"` or `"632 N/mm^1.5"` for n = 1.5. A plain `"632 N/mm"`,
-/// or `"632000 N/m"`, with n ≠ 1 is read as the secant at 1 mm, 632 N/mmⁿ, and the note says so. 1
+/// or `"632000 N/m"`, with n ≠ 1 is read as the secant at 1 mm, 632 N/mmⁿ. 1
 /// N/mmⁿ = 1000ⁿ N/mⁿ.
 ///
 /// # Errors
@@ -22,12 +35,12 @@ const SAME_EXPONENT: f64 = 1e-9;
 /// ```
 /// use freestand_study::law::contact_law_stiffness;
 /// assert_eq!(contact_law_stiffness("2190 N/mm", 1.0)?, (2.19e6, None));
-/// let (coefficient_n_mn, note) = contact_law_stiffness("40 N/mm", 2.0)?;
+/// let (coefficient_n_mn, secant) = contact_law_stiffness("40 N/mm", 2.0)?;
 /// assert!((coefficient_n_mn / 40e6 - 1.0).abs() < 1e-12);
-/// assert_eq!(note.as_deref(), Some("\"40 N/mm\" is read as the secant stiffness at 1 mm, 40 N/mm^2: 4.0000e7 N/m^2"));
+/// assert_eq!(secant.map(|secant| secant.written).as_deref(), Some("40 N/mm"));
 /// # Ok::<(), freestand_input::problem::Problem>(())
 /// ```
-pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<String>), Problem> {
+pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<Secant>), Problem> {
     let text = text.trim();
     let (plain, stated) = split_exponent(text)?;
     let stiffness_n_m =
@@ -63,15 +76,13 @@ pub fn contact_law_stiffness(text: &str, exponent: f64) -> Result<(f64, Option<S
             if !is_possible(coefficient_n_mn * 1e-3_f64.powf(exponent - 1.0)) {
                 return Err(too_large(text));
             }
-            let note = stated.is_none().then(|| {
-                let (written, power) = (shorten(text), number(exponent, 6));
-                let per_mm = number(stiffness_n_m / 1e3, 6);
-                format!(
-                    "\"{written}\" is read as the secant stiffness at 1 mm, {per_mm} N/mm^{power}: \
-                     {coefficient_n_mn:.4e} N/m^{power}"
-                )
+            let secant = stated.is_none().then(|| Secant {
+                written: shorten(text),
+                stiffness_n_m,
+                exponent,
+                coefficient_n_mn,
             });
-            Ok((coefficient_n_mn, note))
+            Ok((coefficient_n_mn, secant))
         }
     }
 }

@@ -281,7 +281,10 @@ impl Followed {
             Done::SlidesInPlane(_, report) => {
                 (Did::SlidesInPlane(report.answer.clone().into()), None)
             }
-            Done::OnPads(_, report) => (Did::OnPads(report.answer.clone().into()), None),
+            Done::OnPads(request, report) => (
+                Did::OnPads(report.answer.clone().into()),
+                Some(&request.notes),
+            ),
             Done::InSpace(report) => (
                 Did::InSpace(report.answer.clone().into()),
                 Some(&report.notes),
@@ -436,7 +439,7 @@ impl Answer {
             noted(RockAnswer::properties()),
             SlideAnswer::properties(),
             PlaneSlideAnswer::properties(),
-            PadAnswer::properties(),
+            noted(PadAnswer::properties()),
             noted(SpatialAnswer::properties()),
             noted(StackAnswer::properties()),
             noted(HullAnswer::properties()),

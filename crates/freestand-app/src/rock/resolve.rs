@@ -16,6 +16,7 @@ use freestand_input::word_reader::WordReader;
 use freestand_input::written::Written;
 use freestand_study::compliant::{CompliantRequest, Turned, start, with_tangential_stiffness};
 use freestand_study::cushion::EdgeCushion;
+use freestand_study::doubt::HistoryNote;
 use freestand_study::hull::{BodyKind, HullRequest};
 use freestand_study::recorded::Second;
 use freestand_study::rock::{RockRequest, until};
@@ -499,7 +500,7 @@ impl Reader<'_, '_> {
                 base,
             },
             pad_thickness_m: edge.pad_thickness_m,
-            notes: edge.notes,
+            notes: edge.notes.into_iter().map(HistoryNote::Cushion).collect(),
             horizontal: None,
             vertical: None,
             how: HistoryOptions {

@@ -14,6 +14,7 @@ use freestand_study::study::Unstated;
 
 use super::compared::reach;
 use super::words::too_mild;
+use crate::doubts::cushion_notes;
 
 /// P(it falls) with friction over that without it, at a friction of 0.3 and of 0.5: by an audit of one
 /// object (1.95 m × 0.42 m) on a spectrum of EN 1998-1, ground C, 100 motions, in three dimensions.
@@ -562,7 +563,7 @@ fn of_item(item: &Item) -> Vec<String> {
     let mut notes: Vec<String> = item
         .cushion
         .iter()
-        .flat_map(|edge| edge.notes.clone())
+        .flat_map(|edge| cushion_notes(&edge.notes))
         .collect();
     notes.extend(
         item.cushion_source

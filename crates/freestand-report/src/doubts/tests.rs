@@ -1,6 +1,8 @@
 //! Every doubt and every note of a history, in words.
 
+use freestand::cushion::Cushion;
 use freestand::impact::ValidityWarning;
+use freestand_study::cushion::CushionNote;
 use freestand_study::doubt::SquatObjects;
 use strum::EnumCount;
 
@@ -10,6 +12,15 @@ use super::*;
 pub(crate) fn all<T: EnumCount>(listed: &[T]) {
     let kinds: std::collections::HashSet<_> = listed.iter().map(std::mem::discriminant).collect();
     assert_eq!(kinds.len(), T::COUNT);
+}
+
+pub(crate) fn two_pads() -> CushionNote {
+    let pad = Cushion::linear(2.19e6).unwrap();
+    CushionNote::Pads {
+        count: 2,
+        edge: pad.side_by_side(2),
+        pad,
+    }
 }
 
 #[test]
@@ -81,7 +92,7 @@ fn every_doubt_and_note_in_words() {
         HistoryNote::FlatUnderside,
         HistoryNote::Turned(0.0873),
         HistoryNote::HullOfScan,
-        HistoryNote::Cushion("2 pads of 2190 N/mm → edge 4380 N/mm".to_owned()),
+        HistoryNote::Cushion(two_pads()),
     ];
     all(&notes);
     let objects = |count| SquatObjects {

@@ -4,7 +4,7 @@ use freestand::impact::ValidityWarning;
 use freestand_study::shock::BalancePoint;
 
 use super::*;
-use crate::doubts::tests::all;
+use crate::doubts::tests::{all, two_pads};
 
 #[test]
 fn every_doubt_and_note_in_words() {
@@ -39,7 +39,7 @@ fn every_doubt_and_note_in_words() {
     doubts.extend(of_tests.map(ShockDoubt::Tests));
     all(&doubts);
     let notes = [
-        ShockNote::Cushion("2 pads of 2190 N/mm → edge 4380 N/mm".to_owned()),
+        ShockNote::Cushion(two_pads()),
         ShockNote::ImpliedStiffness(4.38e6),
         ShockNote::NoLargestStiffness(NoLargestStiffness::UpliftTooLarge),
         ShockNote::NoLargestStiffness(NoLargestStiffness::VelocityChangeTooLarge),

@@ -12,7 +12,7 @@ use freestand_study::study::{
 };
 use freestand_study::suite::{NAMED, Suite};
 
-use crate::doubts::{dispersion, mean_off, period_from};
+use crate::doubts::{cushion_notes, dispersion, mean_off, period_from};
 use crate::ground::{count_words, period_words, vertical_motion};
 
 /// What a study means: its motions, building, levels and objects.
@@ -59,7 +59,7 @@ answer_of!(Check<'_> as check.0 {
     mass_kg: f64 = check.0.objects.mass_kg;
     stiffness_n_m: Option<f64> = check.0.objects.cushion.cushion.linear_stiffness_n_m();
     cushion: String = cushion_words(&check.0.objects.cushion.cushion);
-    cushion_notes: Vec<String> = check.0.objects.cushion.notes.clone() => "note";
+    cushion_notes: Vec<String> = cushion_notes(&check.0.objects.cushion.notes) => "note";
     tolerance_g: Option<f64> = check.0.objects.tolerance_m_s2.map(|tolerance| tolerance / G0_M_S2);
 });
 

@@ -24,7 +24,7 @@ use freestand_study::target::Target;
 use serde_json::{Value as Json, json};
 
 use super::sensitivity::Varied;
-use crate::doubts::period_from;
+use crate::doubts::{cushion_notes, period_from};
 use crate::ground::{Parameters, assumptions, vertical_motion};
 use crate::target::{HazardOf, NamedFact, named_facts};
 
@@ -155,7 +155,7 @@ answer_of!(
     stiffness_n_m: Option<f64> = of.0.cushion.cushion.linear_stiffness_n_m();
     law: &'static str = of.0.cushion.cushion.law().name();
     cushion: String = cushion_words(&of.0.cushion.cushion);
-    cushion_notes: Vec<String> = of.0.cushion.notes.clone();
+    cushion_notes: Vec<String> = cushion_notes(&of.0.cushion.notes);
     cushion_file: Option<Input> = of.0.cushion_file.as_ref().map(|(file, _)| Input::from(file));
     restitution: String = restitution_words(of.0.restitution);
     accuracy: String = accuracy_words(of.0.accuracy);

@@ -11,7 +11,7 @@ use freestand::motion::Motion;
 use freestand::respond::{HistoryOptions, PadHistory, Pads, Release};
 use freestand::rocking::{Outcome, Until};
 
-use crate::doubt::HistoryDoubt;
+use crate::doubt::{HistoryDoubt, HistoryNote};
 use crate::unsolved::{self, base, unresolved};
 use freestand_input::problem::Problem;
 use freestand_input::quantity::{Dimension, format_si};
@@ -29,8 +29,8 @@ pub struct CompliantRequest {
     pub object: Pads,
     /// Thickness of the pad, for the warnings \[m\].
     pub pad_thickness_m: Option<f64>,
-    /// How the cushion was read, in words.
-    pub notes: Vec<String>,
+    /// What its reader must know.
+    pub notes: Vec<HistoryNote>,
     /// Horizontal motion of its base.
     pub horizontal: Option<Motion>,
     /// Vertical motion of its base.
@@ -186,7 +186,6 @@ answer! {
         steps: usize = rocking.effort.steps;
         /// Evaluations of the equations of motion.
         evaluations: usize = rocking.effort.evaluations;
-        notes: Vec<String> = request.notes.clone() => "note";
     }
 
     /// A contact of an edge with its cushion.

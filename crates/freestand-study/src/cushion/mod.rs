@@ -5,6 +5,7 @@
 //! connects the two, and every step from one to the other is stated in a note.
 
 mod file;
+mod note;
 
 use freestand::cushion::{ContactLaw, Cushion, CushionError};
 use freestand::impact::{ValidityWarning, compression_warnings, stiffness_warnings};
@@ -18,6 +19,7 @@ use serde::{Deserialize, Serialize};
 use crate::law::contact_law_stiffness;
 
 pub use file::{pad_words, read_cushion_file, with_file};
+pub use note::CushionNote;
 
 /// Exponent of a sphere on a thick pad (Hertz).
 pub const HERTZ_EXPONENT: f64 = 1.5;
@@ -33,7 +35,7 @@ pub struct EdgeCushion {
     /// Thickness of the pad, for the warnings \[m\].
     pub pad_thickness_m: Option<f64>,
     /// How the input was read: pads under an edge, layers in series, damping from its ratio.
-    pub notes: Vec<String>,
+    pub notes: Vec<CushionNote>,
 }
 
 impl EdgeCushion {
@@ -113,7 +115,7 @@ fn belongs(key: &str, law: LawName) -> bool {
 
 struct Reader<'w> {
     words: WordReader<'w>,
-    notes: Vec<String>,
+    notes: Vec<CushionNote>,
 }
 
 impl<'w> Reader<'w> {
@@ -186,8 +188,7 @@ impl<'w> Reader<'w> {
         if self.words.has("exponent") {
             return self.words.positive("exponent", Dimension::Ratio);
         }
-        self.notes
-            .push(format!("the exponent of the law was not given: {HERTZ_EXPONENT}, the exponent of a sphere (Hertz)"));
+        self.notes.push(CushionNote::HertzExponent);
         Some(HERTZ_EXPONENT)
     }
 
@@ -250,10 +251,10 @@ impl<'w> Reader<'w> {
                 .note(&[key], "the stiffness of the cushion is missing", hint);
             return None;
         };
-        let (stiffness, note) = self
+        let (stiffness, secant) = self
             .words
             .keep(key, contact_law_stiffness(text, exponent))?;
-        self.notes.extend(note);
+        self.notes.extend(secant.map(CushionNote::Secant));
         let contact_law = match law {
             LawName::Linear | LawName::KelvinVoigt | LawName::Tabulated => ContactLaw::Linear {
                 stiffness_n_m: stiffness,
@@ -330,12 +331,11 @@ impl<'w> Reader<'w> {
     fn edge(&mut self, pad: Cushion, pads: Option<u32>) -> Option<Cushion> {
         let Some(count) = pads else { return Some(pad) };
         let edge = pad.side_by_side(count);
-        let plural = if count == 1 { "pad" } else { "pads" };
-        self.notes.push(format!(
-            "{count} {plural} of {} → edge {}",
-            cushion_words(&pad),
-            cushion_words(&edge)
-        ));
+        self.notes.push(CushionNote::Pads {
+            count,
+            pad,
+            edge: edge.clone(),
+        });
         Some(edge)
     }
 
@@ -370,12 +370,11 @@ impl<'w> Reader<'w> {
                 return None;
             };
             let damping_n_s_m = 2.0 * ratio * (stiffness_n_m * mass_kg).sqrt();
-            self.notes.push(format!(
-                "damping ratio {} % with {} → {} under the edge",
-                number(100.0 * ratio, 4),
-                format_si(mass_kg, Dimension::Mass),
-                format_si(damping_n_s_m, Dimension::Damping)
-            ));
+            self.notes.push(CushionNote::DampingRatio {
+                ratio,
+                mass_kg,
+                damping_n_s_m,
+            });
             damping_n_s_m
         } else {
             self.words.non_negative(KEY, Dimension::Damping)? * f64::from(pads.unwrap_or(1))
@@ -407,14 +406,10 @@ impl<'w> Reader<'w> {
             layers.push(self.made(KEY, Cushion::linear(stiffness_n_m))?);
         }
         let whole = self.made(KEY, Cushion::in_series(&layers))?;
-        let parts: Vec<String> = layers.iter().map(cushion_words).collect();
-        let sum = if whole.linear_stiffness_n_m().is_some() {
-            cushion_words(&whole)
-        } else {
-            "one law".to_owned()
-        };
-        self.notes
-            .push(format!("{} in series → {sum}", parts.join(" and ")));
+        self.notes.push(CushionNote::InSeries {
+            layers,
+            whole: whole.clone(),
+        });
         Some(whole)
     }
 

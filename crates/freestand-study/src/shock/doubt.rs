@@ -5,6 +5,7 @@ use freestand_input::quantity::{Dimension, format_si};
 use strum::EnumCount;
 
 use super::test_points::TestsDoubt;
+use crate::cushion::CushionNote;
 
 /// Something that may make a shock wrong, or that was given and is not used.
 #[derive(Debug, Clone, PartialEq, EnumCount)]
@@ -58,7 +59,7 @@ impl BalancePoint {
 #[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum ShockNote {
     /// How the cushion was read.
-    Cushion(String),
+    Cushion(CushionNote),
     /// The stiffness that follows from the measured drop acceleration \[N/m\].
     ImpliedStiffness(f64),
     /// There is no largest stiffness.

@@ -19,7 +19,7 @@ use freestand_study::target::Target;
 
 use super::super::summary::restitution_words;
 use super::{headings, or_dash};
-use crate::doubts::{dispersion, mean_off, period_from};
+use crate::doubts::{cushion_notes, dispersion, mean_off, period_from};
 use crate::ground;
 use crate::target::facts as facts_of;
 use freestand_output::html::{figure, heading, paragraph, properties, table, words};
@@ -464,5 +464,5 @@ fn edge_words(edge: &EdgeCushion) -> String {
     if edge.notes.is_empty() {
         return words;
     }
-    format!("{words} ({})", edge.notes.join("; "))
+    format!("{words} ({})", cushion_notes(&edge.notes).join("; "))
 }
