@@ -105,7 +105,10 @@ impl Seen<'_, '_> {
         } else {
             (1.0, to.0)
         };
-        if from.1 > 0.0 && to.1 <= 0.0 && !(self.top([from, to]) < NEAR_TOP * best) {
+        let crests = from.1 > 0.0 && to.1 <= 0.0;
+        // An unbounded value has no cubic, and is searched.
+        let is_low = crests && self.top([from, to]) < NEAR_TOP * best;
+        if crests && !is_low {
             let inside = |share: f64| of(&self.poses(share));
             let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
             let top = inside(share).0;
