@@ -239,7 +239,13 @@ pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let floor = pfa_g.map(|pfa_g| {
         let mut floor = sources::floor(question, pfa_g);
         let ratio = floor.part.force_ratio;
-        if let Some(code) = own.first().filter(|code| ratio > code.part.force_ratio) {
+        let is_less = |code: &&Source| (0.0..ratio).contains(&code.part.force_ratio);
+        // Of no force at all it is no multiple.
+        if let Some(code) = own
+            .first()
+            .filter(is_less)
+            .filter(|code| code.part.force_ratio > 0.0)
+        {
             floor.remarks.push(Remark::AboveCode {
                 ratio: ratio / code.part.force_ratio,
                 clause: code.clause,

@@ -166,7 +166,14 @@ fn reason(source: &Source, factor: &Factor) -> &'static str {
             .component
             .and_then(|row| match source.clause {
                 Clause::Asce7_22 => row.source_22,
-                _ => row.source_16,
+                Clause::Asce7_16 | Clause::Tbdy2018 => row.source_16,
+                Clause::As1170_4
+                | Clause::Eurocode8
+                | Clause::Ntc2018
+                | Clause::Nzs1170_5
+                | Clause::Ts1170_5
+                | Clause::GivenFloor
+                | Clause::ComputedFloor => None,
             })
             .unwrap_or_default(),
         FactorSource::Recalled(why) => match why {
@@ -298,7 +305,15 @@ pub(super) fn remarks(source: &Source) -> Vec<String> {
         let sentence = match *remark {
             Remark::OtherSpectrum => match source.clause {
                 Clause::As1170_4 => "kpZ Ch(0) is taken as Sa(0) of the study's spectrum.",
-                _ => "S_DS is taken as the plateau of the study's spectrum.",
+                Clause::Asce7_16
+                | Clause::Asce7_22
+                | Clause::Eurocode8
+                | Clause::Ntc2018
+                | Clause::Nzs1170_5
+                | Clause::Tbdy2018
+                | Clause::Ts1170_5
+                | Clause::GivenFloor
+                | Clause::ComputedFloor => "S_DS is taken as the plateau of the study's spectrum.",
             },
             Remark::TallBuilding => {
                 "The height of the building was not given; a tall one is assumed."

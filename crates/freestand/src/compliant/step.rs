@@ -63,8 +63,6 @@ pub(crate) struct Step<const N: usize> {
     pub(crate) length_s: f64,
     pub(crate) start: [f64; N],
     pub(crate) end: [f64; N],
-    /// Error estimate relative to the scales of the state; above 1 the step was too long.
-    pub(crate) error_ratio: f64,
     /// Number of entries of the state in use.
     len: usize,
     last: [f64; N],
@@ -80,7 +78,6 @@ impl<const N: usize> Step<N> {
             length_s: 0.0,
             start: *start,
             end: *start,
-            error_ratio: 0.0,
             len,
             last: [0.0; N],
             slopes: [[0.0; N]; 7],
@@ -97,8 +94,9 @@ impl<const N: usize> Step<N> {
         &self.slopes[6]
     }
 
-    /// The step over `length_s` from a state and its rates; `rates` writes the rates at a time and a state into
-    /// its last argument. Returns the error ratio.
+    /// Takes the step over `length_s` from a state and its rates; `rates` writes the rates at a time and a state into
+    /// its last argument. Returns the error estimate as a multiple of `tolerance`, a share of the sizes of the
+    /// entries: above 1 the step was too long.
     pub(crate) fn take(
         &mut self,
         rates: impl Fn(f64, &[f64; N], &mut [f64; N]),
@@ -139,8 +137,7 @@ impl<const N: usize> Step<N> {
             let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
             sum += (error[i] / (tolerance * scale)).powi(2);
         }
-        self.error_ratio = (sum / len as f64).sqrt();
-        self.error_ratio
+        (sum / len as f64).sqrt()
     }
 
     /// The state at a share of the step.

@@ -6,9 +6,9 @@ use super::pose::Flat;
 use super::seen::Seen;
 use crate::compliant::{HEADROOM, raise};
 
-/// The highest of five values of an acceleration over a step reaches at least this share of its maximum: they are
-/// a quarter of a radian of the vibration on the cushions apart, or less.
-const NEAR_TOP: f64 = 0.97;
+/// The highest of five values of the force of a step reaches at least this share of its maximum: they are a quarter of
+/// a radian of the vibration on the cushions apart, or less.
+const SAMPLED_NEAR: f64 = 0.97;
 
 /// The landings of the base of an object, or of the lower body of a stack.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -83,7 +83,9 @@ impl Landings {
             }
             let [before, now] = liftings.map(|lifting| lifting.of(point));
             let known_m_s2 = self.found.peak_acceleration_m_s2;
-            if before.max(now) >= HEADROOM * known_m_s2 {
+            // The force, of which the weight is a part, is what vibrates.
+            let gravity = world.gravity;
+            if before.max(now) + gravity >= HEADROOM * (known_m_s2 + gravity) {
                 let at = |share: f64| {
                     let (y, time_s) = (seen.state(share), seen.time_s(share));
                     let rates = world.rates(seen.grips, line, time_s, &y);
@@ -92,7 +94,7 @@ impl Landings {
                 let inner = inner.get_or_insert_with(|| [0.25, 0.5, 0.75].map(at));
                 let highest = inner.iter().map(|lifting| lifting.of(point));
                 let highest = highest.fold(before.max(now), f64::max);
-                if highest >= NEAR_TOP * known_m_s2 {
+                if highest + gravity >= SAMPLED_NEAR * (known_m_s2 + gravity) {
                     let up = |share: f64| match share {
                         0.0 => before,
                         1.0 => now,

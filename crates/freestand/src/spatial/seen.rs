@@ -6,6 +6,10 @@ use crate::compliant::HEADROOM;
 use crate::compliant::step::Step;
 use crate::search::bisect;
 
+/// The cubic that has the values and rates of both ends of a step reaches at least this share of a maximum in it. A
+/// vibration that is visible is followed in steps of a third of a radian (error control), of which it misses 1e-4.
+const CUBIC_NEAR: f64 = 0.98;
+
 /// How the bodies of a stack move at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pattern {
@@ -107,7 +111,7 @@ impl Seen<'_, '_> {
         };
         let crests = from.1 > 0.0 && to.1 <= 0.0;
         // An unbounded value has no cubic, and is searched.
-        let is_low = crests && self.top([from, to]) < NEAR_TOP * best;
+        let is_low = crests && self.top([from, to]) < CUBIC_NEAR * best;
         if crests && !is_low {
             let inside = |share: f64| of(&self.poses(share));
             let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
@@ -119,10 +123,6 @@ impl Seen<'_, '_> {
         (most.1 > best).then_some(most)
     }
 }
-
-/// The cubic that has the values and rates of both ends of a step reaches at least this share of a maximum in it: its
-/// error is 1/384 of a vibration where the step is a radian long.
-const NEAR_TOP: f64 = 0.98;
 
 /// `tilt_x` and `tilt_y` of an axis; a history ends where it is horizontal, within rounding.
 pub(super) fn tilts(axis: &[f64; 3]) -> [f64; 2] {

@@ -24,7 +24,8 @@ const SHARE: f64 = 0.5;
 const NEAR: f64 = 2.0;
 const PAST: f64 = 10.0;
 
-/// Longest step, as an angle of the vibration on the cushions.
+/// Longest step, as an angle of the vertical vibration on the cushions. Sway and pitch are up to twice as fast: what
+/// limits a step in which one of them is visible is its error, a third of a radian at `fast`.
 const LONGEST_RAD: f64 = 1.0;
 
 /// What every history of bodies in space ends with.
@@ -51,7 +52,6 @@ struct Solver<'a, 'b, F> {
     time_s: f64,
     try_s: f64,
     unit_s: f64,
-    longest_s: f64,
     sizes: State,
     tolerance: f64,
     is_resting: bool,
@@ -131,7 +131,6 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             time_s: 0.0,
             try_s: 0.1 * unit_s,
             unit_s,
-            longest_s: LONGEST_RAD * unit_s,
             sizes: sizes(world, unit_s),
             tolerance: SHARE * options.accuracy.tolerance(),
             is_resting: true,
@@ -204,7 +203,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let trial = Trial {
             start_s: self.time_s,
             try_s: self.try_s,
-            longest_s: self.longest_s,
+            longest_s: LONGEST_RAD * self.unit_s,
             rest_s,
             unit_s: self.unit_s,
         };
@@ -227,12 +226,18 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         has_event: bool,
     ) -> Result<(), CompliantError> {
         self.effort.steps += 1;
+        // The rates of the end stay those before this, a tolerance away.
         for body in 0..self.world.bodies.len() {
             let turn = &mut step.end[BODY * body + TURN..BODY * body + SPIN];
             let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();
             turn.iter_mut().for_each(|part| *part /= length);
         }
         let poses = self.world.poses(&step.end);
+        if !poses[0].place[2].is_finite() {
+            return Err(CompliantError::NotFinite {
+                time_s: step.start_s,
+            });
+        }
         let seen = Seen {
             world: self.world,
             grips: &self.grips,
@@ -244,11 +249,6 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         (self.y, self.rates) = (step.end, *step.end_rates());
         self.time_s = step.start_s + step.length_s;
         self.poses = poses;
-        if !poses[0].place[2].is_finite() {
-            return Err(CompliantError::NotFinite {
-                time_s: self.time_s,
-            });
-        }
         if has_event {
             let mut changed = false;
             let rates = self.rates_of_slip(line, self.time_s, &self.y);
