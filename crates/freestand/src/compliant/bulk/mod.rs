@@ -53,7 +53,7 @@ const LANES: usize = 16;
 /// A number of each.
 type Lane = Column<LANES>;
 
-/// Worlds that a thread takes at once: enough to fill the lanes that worlds have left.
+/// The most worlds that a thread takes at once: enough to fill the lanes that worlds have left.
 const WORLDS: usize = 1024;
 
 /// One world: an object on its pads, and what shakes it.
@@ -197,25 +197,37 @@ pub fn rock_compliant_many_on(
     worlds: &[CompliantWorld],
     gravity_m_s2: f64,
 ) -> Vec<Result<CompliantSummary, CompliantError>> {
-    let even = worlds
-        .len()
-        .div_ceil(rayon::current_num_threads().max(1))
-        .next_multiple_of(LANES);
-    let few = |worlds: &[CompliantWorld]| follow(arch, worlds, gravity_m_s2);
-    worlds
-        .par_chunks(even.clamp(LANES, WORLDS))
+    // Groups of neighbours, which resemble each other, are dealt to as many hands as the threads need: all hands
+    // take equally long.
+    let threads = rayon::current_num_threads().max(1);
+    let rounds = worlds.len().div_ceil(threads * WORLDS);
+    let groups: Vec<&[CompliantWorld]> = worlds.chunks(LANES).collect();
+    let hands = (threads * rounds).min(groups.len());
+    let played: Vec<Vec<_>> = (0..hands)
+        .into_par_iter()
         .with_max_len(1)
-        .flat_map_iter(few)
-        .collect()
+        .map(|hand| {
+            let dealt = groups.iter().skip(hand).step_by(hands).copied().flatten();
+            follow(arch, dealt, gravity_m_s2)
+        })
+        .collect();
+    let mut played: Vec<_> = played.into_iter().map(Vec::into_iter).collect();
+    let back = groups.iter().enumerate();
+    back.flat_map(|(place, group)| {
+        played[place % hands]
+            .by_ref()
+            .take(group.len())
+            .collect::<Vec<_>>()
+    })
+    .collect()
 }
 
-fn follow(
+fn follow<'a>(
     arch: pulp::Arch,
-    worlds: &[CompliantWorld],
+    worlds: impl Iterator<Item = &'a CompliantWorld<'a>>,
     gravity_m_s2: f64,
 ) -> Vec<Result<CompliantSummary, CompliantError>> {
-    let mut ready = Vec::with_capacity(worlds.len());
-    let mut errors = Vec::with_capacity(worlds.len());
+    let (mut ready, mut errors) = (Vec::new(), Vec::new());
     for world in worlds {
         match prepare(world, gravity_m_s2) {
             Ok(world) => {
