@@ -168,7 +168,7 @@ impl Factor {
         }
     }
 
-    /// The stated value, or that of a row, which somebody has read or nobody has.
+    /// The stated value, or else that of the row; `is_read` says whether somebody has read the row.
     pub(super) fn of_row(key: FactorKey, stated: Option<f64>, value: f64, is_read: bool) -> Self {
         let source = if is_read {
             FactorSource::Read

@@ -240,7 +240,7 @@ pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
         let mut floor = sources::floor(question, pfa_g);
         let ratio = floor.part.force_ratio;
         let is_less = |code: &&Source| (0.0..ratio).contains(&code.part.force_ratio);
-        // Of no force at all it is no multiple.
+        // A force of zero has no multiples.
         if let Some(code) = own
             .first()
             .filter(is_less)

@@ -66,7 +66,7 @@ pub(crate) fn kind_words(kind: SourceKind) -> &'static str {
     }
 }
 
-/// The symbol of a factor in a code. A factor that a code has none of has that of a code like it.
+/// The symbol of a factor in a code. Where a code has no such factor, the symbol is that of a similar code.
 pub(super) fn symbol(clause: Clause, key: FactorKey) -> &'static str {
     use Clause::*;
     match key {

@@ -4,7 +4,7 @@ use freestand::building::ModalDoubt;
 use freestand::code_spectrum::{FrameKind, PeriodCode};
 use strum::EnumCount;
 
-/// Something that may make a building another than the one that is meant.
+/// Something that may make a building differ from the one that is meant.
 #[derive(Debug, Clone, PartialEq, EnumCount)]
 pub enum BuildingDoubt {
     /// The heights of a table look like elevations.

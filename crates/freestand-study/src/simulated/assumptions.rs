@@ -14,7 +14,7 @@ use super::{Earthquakes, SimulatedRequest};
 pub enum SimulationAssumption {
     /// Of the parameters of the preset.
     OfPreset(Preset, PresetAssumption),
-    /// The source of Atkinson and Boore has not its own duration along the path.
+    /// The source of Atkinson and Boore is combined with a duration along the path that is not theirs.
     PathOfBoore,
     /// The duration of a source with two corners is that of one corner.
     DurationOfOneCorner,

@@ -56,7 +56,8 @@ const DENSE: [f64; 7] = [
 /// taken for an error.
 const RELATIVE: f64 = 1e-3;
 
-/// A step, with everything to interpolate within it. It is written in place: most of a large state may be unused.
+/// A step, with what is needed to interpolate within it. It is reused and not copied, because most of a large state may
+/// be unused.
 #[derive(Debug, Clone)]
 pub(crate) struct Step<const N: usize> {
     pub(crate) start_s: f64,
@@ -71,7 +72,7 @@ pub(crate) struct Step<const N: usize> {
 }
 
 impl<const N: usize> Step<N> {
-    /// Nothing yet, from a state of which `len` entries are in use.
+    /// An empty step, for states of which `len` entries are in use.
     pub(crate) fn new(start: &[f64; N], len: usize) -> Self {
         Self {
             start_s: 0.0,

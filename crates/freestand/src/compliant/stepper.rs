@@ -4,8 +4,9 @@ use super::step::Step;
 use super::{CompliantEffort, CompliantError};
 use crate::motion::Motion;
 
-/// Between two looks for an event no contact begins and ends: an angle of the vibration on the cushions.
-const LOOK_RAD: f64 = 0.25;
+/// The longest interval between two checks for an event, as an angle of the vibration on the cushions: no contact begins
+/// and ends within one.
+const CHECK_RAD: f64 = 0.25;
 /// A step ends at most this long after an event, as an angle of that vibration; no step is shorter.
 const EVENT_RAD: f64 = 1e-12;
 const SHORTEST_RAD: f64 = 1e-10;
@@ -94,14 +95,14 @@ pub(crate) struct Trial {
     pub(crate) try_s: f64,
     /// No step is longer.
     pub(crate) longest_s: f64,
-    /// Where the motion has its next kink.
+    /// Time left until the next kink of the motion.
     pub(crate) rest_s: f64,
     /// 1/ω of the vibration on the cushions.
     pub(crate) unit_s: f64,
 }
 
-/// Takes a step that is accurate enough, and returns the length to try next. `take` returns the error ratio of the step of
-/// a length.
+/// Takes a step that is accurate enough, and returns the length to try next. `take` takes a step of
+/// the given length and returns its error ratio.
 pub(crate) fn accurate(
     trial: Trial,
     mut take: impl FnMut(f64) -> f64,
@@ -144,9 +145,11 @@ pub(crate) fn first_event<const N: usize>(
     unit_s: f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
 ) -> Option<f64> {
-    let looks = (step.length_s / (LOOK_RAD * unit_s)).ceil().clamp(2.0, 8.0);
-    (1..=looks as u32)
-        .map(|look| f64::from(look) / looks)
+    let checks = (step.length_s / (CHECK_RAD * unit_s))
+        .ceil()
+        .clamp(2.0, 8.0);
+    (1..=checks as u32)
+        .map(|check| f64::from(check) / checks)
         .find(|&share| {
             let time_s = step.start_s + share * step.length_s;
             if share == 1.0 {

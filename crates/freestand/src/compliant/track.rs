@@ -6,8 +6,8 @@ use super::{CompliantRocking, EdgeSide, PointPeaks, Swing, Touch};
 use crate::block::{Block, Pivot};
 use crate::search::bisect;
 
-/// The ends of a step reach at least this share of a maximum inside it: steps are short compared with the vibration on
-/// the cushions.
+/// The ends of a step reach at least this share of a maximum inside it: steps are short compared with a visible vibration
+/// on the cushions, by their longest length in the plane and by error control in space.
 pub(crate) const HEADROOM: f64 = 0.7;
 /// Contacts that carry less than this share of the weight are ignored for friction.
 const CARRYING_RATIO: f64 = 0.1;

@@ -6,8 +6,8 @@ use super::pose::Flat;
 use super::seen::Seen;
 use crate::compliant::{HEADROOM, raise};
 
-/// The highest of five values of the force of a step reaches at least this share of its maximum: they are a quarter of
-/// a radian of the vibration on the cushions apart, or less.
+/// The highest of five values of the force in a step is at least this share of the maximum: error control limits the
+/// steps of a visible vibration to a third of a radian.
 const SAMPLED_NEAR: f64 = 0.97;
 
 /// The landings of the base of an object, or of the lower body of a stack.
@@ -83,7 +83,7 @@ impl Landings {
             }
             let [before, now] = liftings.map(|lifting| lifting.of(point));
             let known_m_s2 = self.found.peak_acceleration_m_s2;
-            // The force, of which the weight is a part, is what vibrates.
+            // Compared with gravity added: the force of the cushions, which also carries the weight, is what vibrates.
             let gravity = world.gravity;
             if before.max(now) + gravity >= HEADROOM * (known_m_s2 + gravity) {
                 let at = |share: f64| {

@@ -6,8 +6,9 @@ use crate::compliant::HEADROOM;
 use crate::compliant::step::Step;
 use crate::search::bisect;
 
-/// The cubic that has the values and rates of both ends of a step reaches at least this share of a maximum in it. A
-/// vibration that is visible is followed in steps of a third of a radian (error control), of which it misses 1e-4.
+/// The cubic through the values and rates at both ends of a step reaches at least this share of a maximum within the
+/// step. Error control limits the steps of a visible vibration to a third of a radian; the cubic then misses less than
+/// 1e-4.
 const CUBIC_NEAR: f64 = 0.98;
 
 /// How the bodies of a stack move at an instant.
@@ -110,7 +111,7 @@ impl Seen<'_, '_> {
             (1.0, to.0)
         };
         let crests = from.1 > 0.0 && to.1 <= 0.0;
-        // An unbounded value has no cubic, and is searched.
+        // If a value or rate is infinite, the cubic is NaN and the step is searched.
         let is_low = crests && self.top([from, to]) < CUBIC_NEAR * best;
         if crests && !is_low {
             let inside = |share: f64| of(&self.poses(share));

@@ -226,7 +226,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         has_event: bool,
     ) -> Result<(), CompliantError> {
         self.effort.steps += 1;
-        // The rates of the end stay those before this, a tolerance away.
+        // The rates at the end are not recalculated: normalising the rotation changes them by about the tolerance.
         for body in 0..self.world.bodies.len() {
             let turn = &mut step.end[BODY * body + TURN..BODY * body + SPIN];
             let length = turn.iter().map(|part| part * part).sum::<f64>().sqrt();

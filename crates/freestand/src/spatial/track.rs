@@ -164,7 +164,7 @@ impl Track {
             peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
         }
         for side in 0..2 {
-            // The tangent rises with the angle, and needs no function.
+            // The tangent rises with the angle, and needs no trigonometric function.
             let size = |poses: &Poses| {
                 let (axis, rate) = axis(poses);
                 let up = axis[2].max(0.0);

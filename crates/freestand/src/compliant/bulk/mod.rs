@@ -197,29 +197,27 @@ pub fn rock_compliant_many_on(
     worlds: &[CompliantWorld],
     gravity_m_s2: f64,
 ) -> Vec<Result<CompliantSummary, CompliantError>> {
-    // Groups of neighbours, which resemble each other, are dealt to as many hands as the threads need: all hands
-    // take equally long.
+    // Neighbouring worlds resemble each other, so groups of them are assigned to the batches in turn: all batches
+    // then take about equally long.
     let threads = rayon::current_num_threads().max(1);
     let rounds = worlds.len().div_ceil(threads * WORLDS);
     let groups: Vec<&[CompliantWorld]> = worlds.chunks(LANES).collect();
-    let hands = (threads * rounds).min(groups.len());
-    let played: Vec<Vec<_>> = (0..hands)
+    let batches = (threads * rounds).min(groups.len());
+    let results: Vec<Vec<_>> = (0..batches)
         .into_par_iter()
         .with_max_len(1)
-        .map(|hand| {
-            let dealt = groups.iter().skip(hand).step_by(hands).copied().flatten();
-            follow(arch, dealt, gravity_m_s2)
+        .map(|batch| {
+            let assigned = groups.iter().skip(batch).step_by(batches).copied();
+            follow(arch, assigned.flatten(), gravity_m_s2)
         })
         .collect();
-    let mut played: Vec<_> = played.into_iter().map(Vec::into_iter).collect();
-    let back = groups.iter().enumerate();
-    back.flat_map(|(place, group)| {
-        played[place % hands]
-            .by_ref()
-            .take(group.len())
-            .collect::<Vec<_>>()
-    })
-    .collect()
+    // Back in the order given.
+    let mut remaining: Vec<_> = results.into_iter().map(Vec::into_iter).collect();
+    let mut ordered = Vec::with_capacity(worlds.len());
+    for (place, group) in groups.iter().enumerate() {
+        ordered.extend(remaining[place % batches].by_ref().take(group.len()));
+    }
+    ordered
 }
 
 fn follow<'a>(
