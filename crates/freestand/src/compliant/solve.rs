@@ -9,7 +9,7 @@ use super::equation::{
 };
 use super::equilibrium::body;
 use super::step::Step;
-use super::stepper::{Trial, accurate, first_event, shortened};
+use super::stepper::{Trial, next};
 use super::tail::Tail;
 use super::track::{Seen, Track};
 use super::{
@@ -337,7 +337,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let grow = self.next(&mut step, &line, rest_s)?;
+            let (grow, _) = self.next(&mut step, &line, rest_s)?;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
             self.accept(&line, &step, result);
@@ -366,31 +366,28 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// Takes a step that is accurate and ends no later than its first event, and returns the length to try next.
+    /// Takes the next step; returns the length to try after it, and whether it ends with an event.
     fn next(
         &mut self,
         step: &mut Step<LEN>,
         line: &Line,
         rest_s: f64,
-    ) -> Result<f64, CompliantError> {
+    ) -> Result<(f64, bool), CompliantError> {
         let mut effort = self.effort;
-        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
-        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
         let trial = Trial {
             start_s: self.time_s,
             try_s: self.try_s,
             longest_s: LONGEST_RAD * self.unit_s,
             rest_s,
             unit_s: self.unit_s,
+            near: None,
+            close: CLOSE,
         };
-        let grow = accurate(trial, |length_s| take(step, length_s), &mut effort)?;
-        if let Some(share) = first_event(step, self.unit_s, margin) {
-            let now = margin(self.time_s, &self.y);
-            let (length_s, close) = (share * step.length_s, (self.unit_s, CLOSE));
-            shortened(step, length_s, now, close, take, margin, &mut effort);
-        }
+        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
+        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
+        let found = next(step, trial, take, margin, &mut effort)?;
         self.effort = effort;
-        Ok(grow)
+        Ok(found)
     }
 
     fn accept(&mut self, line: &Line, step: &Step<LEN>, result: &mut CompliantRocking) {

@@ -99,11 +99,36 @@ pub(crate) struct Trial {
     pub(crate) rest_s: f64,
     /// 1/ω of the vibration on the cushions.
     pub(crate) unit_s: f64,
+    /// How near to an event the interpolating polynomial is searched before new steps are taken, as a margin; `None`: not at all.
+    pub(crate) near: Option<f64>,
+    /// How far past an event the step may end, as a margin.
+    pub(crate) close: f64,
+}
+
+/// Takes a step that is accurate and ends no later than its first event; returns the length to try next, and whether there
+/// is an event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event.
+pub(crate) fn next<const N: usize>(
+    step: &mut Step<N>,
+    trial: Trial,
+    take: impl Fn(&mut Step<N>, f64) -> f64,
+    margin: impl Fn(f64, &[f64; N]) -> f64 + Copy,
+    effort: &mut CompliantEffort,
+) -> Result<(f64, bool), CompliantError> {
+    let grow = accurate(trial, |length_s| take(step, length_s), effort)?;
+    let event = first_event(step, trial.unit_s, margin);
+    if let Some(share) = event {
+        let share = trial
+            .near
+            .map_or(share, |near| nearer(step, share, near, margin));
+        let length_s = share * step.length_s;
+        shortened(step, length_s, trial, take, margin, effort);
+    }
+    Ok((grow, event.is_some()))
 }
 
 /// Takes a step that is accurate enough, and returns the length to try next. `take` takes a step of
 /// the given length and returns its error ratio.
-pub(crate) fn accurate(
+fn accurate(
     trial: Trial,
     mut take: impl FnMut(f64) -> f64,
     effort: &mut CompliantEffort,
@@ -140,7 +165,7 @@ pub(crate) fn accurate(
 
 /// A share of the step by which an event has passed, if there is one; `margin` is negative past an
 /// event.
-pub(crate) fn first_event<const N: usize>(
+fn first_event<const N: usize>(
     step: &Step<N>,
     unit_s: f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
@@ -163,7 +188,7 @@ pub(crate) fn first_event<const N: usize>(
 /// A share of the step just past the first event before `share`, by false position on the
 /// interpolating polynomial: a close bracket for [`shortened`], without new steps. `close` is about
 /// the error of the polynomial.
-pub(crate) fn nearer<const N: usize>(
+fn nearer<const N: usize>(
     step: &Step<N>,
     share: f64,
     close: f64,
@@ -199,18 +224,18 @@ pub(crate) fn nearer<const N: usize>(
 }
 
 /// Takes the step that ends just past the first event within `length_s`, located by false position with
-/// new steps, so that nothing after the event affects it; `low_margin` is the margin at its start,
+/// new steps, so that nothing after the event affects it,
 /// and a margin of −`close` is near enough.
-pub(crate) fn shortened<const N: usize>(
+fn shortened<const N: usize>(
     step: &mut Step<N>,
     length_s: f64,
-    mut low_margin: f64,
-    (unit_s, close): (f64, f64),
+    Trial { unit_s, close, .. }: Trial,
     take: impl Fn(&mut Step<N>, f64) -> f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
     effort: &mut CompliantEffort,
 ) {
     let shortest_s = SHORTEST_RAD * unit_s;
+    let mut low_margin = margin(step.start_s, &step.start);
     let mut margin_after = |step: &mut Step<N>, length_s: f64| {
         effort.evaluations += 6;
         take(step, length_s);

@@ -8,7 +8,7 @@ use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
 use crate::compliant::step::Step;
-use crate::compliant::stepper::{Trial, accurate, first_event, nearer, shortened};
+use crate::compliant::stepper::{Trial, next};
 use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
 use crate::motion::Motion;
@@ -189,8 +189,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// Takes a step that is accurate and ends no later than its first event; returns the length to try next, and
-    /// whether there is an event.
+    /// Takes the next step; returns the length to try after it, and whether it ends with an event.
     fn next(
         &mut self,
         step: &mut Step<LEN>,
@@ -198,25 +197,20 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         rest_s: f64,
     ) -> Result<(f64, bool), CompliantError> {
         let mut effort = self.effort;
-        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
-        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
         let trial = Trial {
             start_s: self.time_s,
             try_s: self.try_s,
             longest_s: LONGEST_RAD * self.unit_s,
             rest_s,
             unit_s: self.unit_s,
+            near: Some(NEAR * self.tolerance),
+            close: PAST * self.tolerance,
         };
-        let grow = accurate(trial, |length_s| take(step, length_s), &mut effort)?;
-        let event = first_event(step, self.unit_s, margin);
-        if let Some(share) = event {
-            let share = nearer(step, share, NEAR * self.tolerance, margin);
-            let now = margin(self.time_s, &self.y);
-            let (length_s, close) = (share * step.length_s, (self.unit_s, PAST * self.tolerance));
-            shortened(step, length_s, now, close, take, margin, &mut effort);
-        }
+        let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
+        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
+        let found = next(step, trial, take, margin, &mut effort)?;
         self.effort = effort;
-        Ok((grow, event.is_some()))
+        Ok(found)
     }
 
     fn accept(
