@@ -1,5 +1,9 @@
-//! The skeleton of a report and pieces of HTML. Arguments called `html` are markup
-//! already; those called `text` are escaped here.
+//! The skeleton of a report, its tables and its figures, as markup of `maud`: texts in it are
+//! escaped, and what is escaped has a type of its own.
+
+use maud::{DOCTYPE, Markup, PreEscaped, Render, html};
+
+use crate::figure::Figure;
 
 /// The style of every report on a screen.
 const SCREEN_CSS: &str = include_str!("style.css");
@@ -11,25 +15,52 @@ pub const PRINT_CSS: &str = include_str!("print.css");
 /// paper. The `css` of such a report begins with it.
 pub const ONE_PAGE_CSS: &str = include_str!("one_page.css");
 
-/// Everything before the content of a report: the shared styles, the report's own `css`, the title.
-/// On paper the title is repeated at the top of every page after the first, and the subtitle is at
-/// the foot of every page.
-pub fn opening(title: &str, subtitle: &str, css: &str) -> String {
-    let (heading, below) = (escape(title), escape(subtitle));
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n\
-         <meta charset=\"utf-8\" />\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n\
-         <title>{heading}</title>\n<style>\n{SCREEN_CSS}{PRINT_CSS}\
-         @page {{\n  @top-left {{ content: {}; }}\n  @bottom-left {{ content: {}; }}\n}}\n{css}</style>\n\
-         </head>\n<body>\n<header>\n<h1>{heading}</h1>\n<p class=\"sub\">{below}</p>\n</header>\n<main>\n",
-        css_string(title),
-        css_string(subtitle),
-    )
+/// A report: the shared styles, its own `css`, its title and its content. On paper the title is
+/// repeated at the top of every page after the first, and the subtitle is at the foot of every page.
+pub fn document(title: &str, subtitle: &str, css: &str, content: &Markup) -> String {
+    written(html! { (opening(title, subtitle, css)) (content) (CLOSING) })
 }
 
+/// Everything before the content of a report that is written in pieces.
+pub fn opening(title: &str, subtitle: &str, css: &str) -> Markup {
+    let (top, foot) = (css_string(title), css_string(subtitle));
+    let style = format!(
+        "{SCREEN_CSS}{PRINT_CSS}@page {{\n  @top-left {{ content: {top}; }}\n  \
+         @bottom-left {{ content: {foot}; }}\n}}\n{css}"
+    );
+    html! {
+        (DOCTYPE)
+        (PreEscaped("<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">"))
+        head {
+            (META)
+            title { (title) }
+            style { (PreEscaped(style)) }
+        }
+        (PreEscaped("<body>"))
+        header { h1 { (title) } p.sub { (subtitle) } }
+        (PreEscaped("<main>"))
+    }
+}
+
+/// As text, because a report is XML as well: `maud` writes elements without an end without the slash
+/// that XML needs.
+const META: PreEscaped<&str> = PreEscaped(
+    "<meta charset=\"utf-8\" />\
+     <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />",
+);
+
 /// The end of a report that [`opening`] began.
-pub const CLOSING: &str = "</main>\n</body>\n</html>\n";
+pub const CLOSING: PreEscaped<&str> = PreEscaped("</main></body></html>\n");
+
+/// A report, or a piece of it, as it is written: without the characters that neither HTML nor XML
+/// allows. Untidy lists have them, and `maud` lets them through.
+pub fn written(markup: Markup) -> String {
+    let mut html = markup.into_string();
+    html.retain(|c| {
+        matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}')
+    });
+    html
+}
 
 /// A text as a string of CSS. Characters with a meaning in CSS, HTML or XML are written as their
 /// code points.
@@ -48,164 +79,112 @@ fn css_string(text: &str) -> String {
 /// A cell of a table.
 #[derive(Debug, Clone)]
 pub struct Cell {
-    html: String,
-    class: &'static str,
-    columns: usize,
+    content: Markup,
+    class: Option<&'static str>,
+    columns: Option<usize>,
 }
 
 /// A cell of words.
-pub fn words(text: &str) -> Cell {
+pub fn words(content: impl Render) -> Cell {
     Cell {
-        html: escape(text),
-        class: "",
-        columns: 1,
+        content: content.render(),
+        class: None,
+        columns: None,
     }
 }
 
 /// A cell of a number, aligned to the right.
-pub fn figure(text: impl AsRef<str>) -> Cell {
-    Cell {
-        html: escape(text.as_ref()),
-        class: "n",
-        columns: 1,
-    }
-}
-
-/// A cell of markup.
-pub fn markup(html: String, class: &'static str) -> Cell {
-    Cell {
-        html,
-        class,
-        columns: 1,
-    }
+pub fn figure(content: impl Render) -> Cell {
+    words(content).class("n")
 }
 
 impl Cell {
-    /// Makes the cell span several columns.
-    pub fn over(mut self, columns: usize) -> Self {
-        self.columns = columns;
+    /// Gives the cell a style class.
+    pub fn class(mut self, class: &'static str) -> Self {
+        self.class = Some(class);
         self
     }
 
-    fn write(&self, html: &mut String, tag: &str, scope: &str) {
-        html.push('<');
-        html.push_str(tag);
-        if !scope.is_empty() {
-            html.push_str(&format!(" scope=\"{scope}\""));
-        }
-        if !self.class.is_empty() {
-            html.push_str(&format!(" class=\"{}\"", self.class));
-        }
-        if self.columns > 1 {
-            html.push_str(&format!(" colspan=\"{}\"", self.columns));
-        }
-        html.push('>');
-        html.push_str(&self.html);
-        html.push_str(&format!("</{tag}>"));
+    /// Makes the cell span several columns.
+    pub fn over(mut self, columns: usize) -> Self {
+        self.columns = Some(columns);
+        self
     }
 }
 
-/// A table that scrolls on a narrow screen: heading rows, then rows whose first cell is a heading.
-pub fn table(caption: &str, headings: &[Vec<Cell>], rows: &[Vec<Cell>]) -> String {
-    classed_table("plain", caption, headings, rows)
+/// A table that scrolls on a narrow screen: a heading row, then rows whose first cell is a heading.
+pub fn table(
+    caption: &str,
+    headings: &[Cell],
+    rows: impl IntoIterator<Item = impl AsRef<[Cell]>>,
+) -> Markup {
+    classed_table("plain", caption, &[headings], rows)
 }
 
-/// The same with a style class.
+/// The same with a style class and any number of heading rows.
 pub fn classed_table(
     class: &str,
     caption: &str,
-    headings: &[Vec<Cell>],
-    rows: &[Vec<Cell>],
-) -> String {
-    let mut html = format!("<div class=\"scroll\" tabindex=\"0\"><table class=\"{class}\">");
-    if !caption.is_empty() {
-        html.push_str(&format!("<caption>{}</caption>", escape(caption)));
-    }
-    html.push_str(if headings.is_empty() { "" } else { "<thead>" });
-    for row in headings {
-        html.push_str("<tr>");
-        for cell in row {
-            cell.write(
-                &mut html,
-                "th",
-                if cell.columns > 1 { "colgroup" } else { "col" },
-            );
+    headings: &[&[Cell]],
+    rows: impl IntoIterator<Item = impl AsRef<[Cell]>>,
+) -> Markup {
+    html! {
+        div.scroll tabindex="0" {
+            table.(class) {
+                @if !caption.is_empty() { caption { (caption) } }
+                @if !headings.is_empty() {
+                    thead {
+                        @for row in headings {
+                            tr {
+                                @for Cell { content, class, columns } in *row {
+                                    @let scope = if columns.is_some() { "colgroup" } else { "col" };
+                                    th scope=(scope) class=[class] colspan=[columns] { (content) }
+                                }
+                            }
+                        }
+                    }
+                }
+                tbody {
+                    @for row in rows {
+                        tr {
+                            @for (i, Cell { content, class, columns }) in row.as_ref().iter().enumerate() {
+                                @if i == 0 {
+                                    th scope="row" class=[class] colspan=[columns] { (content) }
+                                } @else {
+                                    td class=[class] colspan=[columns] { (content) }
+                                }
+                            }
+                        }
+                    }
+                }
+            }
         }
-        html.push_str("</tr>");
     }
-    html.push_str(if headings.is_empty() {
-        "<tbody>"
-    } else {
-        "</thead><tbody>"
-    });
-    for row in rows {
-        html.push_str("<tr>");
-        for (i, cell) in row.iter().enumerate() {
-            let (tag, scope) = if i == 0 { ("th", "row") } else { ("td", "") };
-            cell.write(&mut html, tag, scope);
-        }
-        html.push_str("</tr>");
-    }
-    html.push_str("</tbody></table></div>\n");
-    html
 }
 
 /// A table of names and values without a heading row; empty values are left out.
-pub fn properties(caption: &str, rows: &[(&str, String)]) -> String {
-    let rows: Vec<Vec<Cell>> = rows
-        .iter()
-        .filter(|(_, value)| !value.is_empty())
-        .map(|(name, value)| vec![words(name), words(value)])
-        .collect();
-    classed_table("pairs", caption, &[], &rows)
+pub fn properties<N: Render, V: AsRef<str>>(caption: &str, rows: &[(N, V)]) -> Markup {
+    let stated = rows.iter().filter(|(_, value)| !value.as_ref().is_empty());
+    let rows = stated.map(|(name, value)| [words(name), words(value.as_ref())]);
+    classed_table("pairs", caption, &[], rows)
 }
 
-/// A paragraph of words.
-pub fn paragraph(text: &str) -> String {
-    format!("<p>{}</p>\n", escape(text))
-}
-
-/// A bulleted list of words.
-pub fn list<S: AsRef<str>>(items: &[S]) -> String {
-    let mut html = String::from("<ul>\n");
-    for item in items {
-        html.push_str(&format!("<li>{}</li>\n", escape(item.as_ref())));
+/// A bulleted list.
+pub fn list(items: impl IntoIterator<Item = impl Render>) -> Markup {
+    html! {
+        ul { @for item in items { li { (item) } } }
     }
-    html.push_str("</ul>\n");
-    html
 }
 
-/// A section with its heading; `id` is the target of links.
-pub fn section(id: &str, heading: &str, html: &str) -> String {
-    format!(
-        "<section id=\"{id}\">\n<h2>{}</h2>\n{html}</section>\n",
-        escape(heading)
-    )
-}
-
-/// A heading inside a section.
-pub fn heading(text: &str) -> String {
-    format!("<h3>{}</h3>\n", escape(text))
-}
-
-/// Escapes text for HTML: between tags and in quoted attributes. Characters that are not allowed in
-/// a document are left out.
-pub fn escape(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            '\n' | '\t' => escaped.push(c),
-            '\u{fffe}' | '\u{ffff}' => {}
-            c if c.is_control() => {}
-            c => escaped.push(c),
-        }
+/// The drawing of a figure, which scrolls on a narrow screen. Its title is for readers who do not
+/// see it.
+pub fn drawing(figure: &Figure) -> Markup {
+    let title = html! { (figure.title) }.into_string();
+    let labelled = format!("<svg role=\"img\" aria-label=\"{title}\" ");
+    let svg = figure.svg.replacen("<svg ", &labelled, 1);
+    html! {
+        div.scroll tabindex="0" { (PreEscaped(svg)) }
     }
-    escaped
 }
 
 #[cfg(test)]
@@ -213,10 +192,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn markup_is_escaped() {
+    fn texts_stay_texts() {
+        let text = "<a href=\"x\">&\u{0}\r\u{ffff}\n</a>";
         assert_eq!(
-            escape("<a href='x'>&\u{0}\"</a>"),
-            "&lt;a href=&#39;x&#39;&gt;&amp;&quot;&lt;/a&gt;"
+            written(html! { p title=(text) { (text) } }),
+            "<p title=\"&lt;a href=&quot;x&quot;&gt;&amp;\n&lt;/a&gt;\">\
+             &lt;a href=&quot;x&quot;&gt;&amp;\n&lt;/a&gt;</p>"
         );
     }
 
@@ -226,7 +207,7 @@ mod tests {
             css_string("a \"b\"\\ </style>&\nü"),
             "\"a \\22 b\\22 \\5c  \\3c /style\\3e \\26 \\a ü\""
         );
-        let html = opening("]]> </style>", "\u{0}", "");
+        let html = document("]]> </style>", "\u{0}", "", &Markup::default());
         assert_eq!(
             (
                 html.matches("</style>").count(),

@@ -23,6 +23,7 @@ pub mod shock;
 pub mod signature;
 pub mod spectrum;
 pub mod study;
+mod svg;
 pub mod table;
 pub mod target;
 pub mod validation;

@@ -1,7 +1,7 @@
 //! Where somebody signs a sheet: the lines to fill in, or, while the sheet rests on values that nobody has read, that
 //! it is a draft.
 
-use freestand_output::html::escape;
+use maud::{Markup, html};
 
 /// How a sheet is signed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -27,25 +27,35 @@ pub(crate) const SIGNATURE_CSS: &str = "\
 
 /// The lines to sign on, or the notice of a draft where values are recalled and nobody has confirmed them.
 /// The first `most` of them are named.
-pub(crate) fn signature(lines: &str, recalled: &[String], most: usize, signing: Signing) -> String {
+pub(crate) fn signature(
+    lines: Markup,
+    recalled: &[String],
+    most: usize,
+    signing: Signing,
+) -> Markup {
     if recalled.is_empty() {
-        return lines.to_owned();
+        return lines;
     }
     let first: Vec<&str> = recalled.iter().take(most).map(String::as_str).collect();
     let more = match recalled.len() - first.len() {
         0 => String::new(),
         more => format!("; and {more} more"),
     };
-    let names = escape(&(first.join("; ") + &more));
-    if signing.allows_recalled {
-        let said =
-            format!("<p>Confidence: recalled, and confirmed by whoever signs: {names}.</p>\n");
-        return said + lines;
+    let names = first.join("; ") + &more;
+    html! {
+        @if signing.allows_recalled {
+            p { "Confidence: recalled, and confirmed by whoever signs: " (names) "." }
+            (lines)
+        } @else {
+            div.draft {
+                p {
+                    b { "DRAFT" } ": contains values quoted from memory (confidence: recalled): " (names)
+                    ". Once they are confirmed, " code { "--allow-recalled" }
+                    " puts a line to sign on in place of this notice."
+                }
+            }
+        }
     }
-    format!(
-        "<div class=\"draft\"><p><b>DRAFT</b>: contains values quoted from memory (confidence: recalled): {names}. \
-         Once they are confirmed, <code>--allow-recalled</code> puts a line to sign on in place of this notice.</p></div>\n"
-    )
 }
 
 #[cfg(test)]
@@ -55,15 +65,19 @@ mod tests {
     #[test]
     fn a_sheet_with_recalled_values_is_a_draft_until_they_are_confirmed() {
         let lines = "<div class=\"sign\"></div>";
+        let sign = |recalled: &[String], signing| {
+            let lines = html! { div.sign {} };
+            signature(lines, recalled, ON_A_SHEET, signing).into_string()
+        };
         let recalled = ["R_p: <other>".to_owned()];
-        let draft = signature(lines, &recalled, ON_A_SHEET, Signing::default());
+        let draft = sign(&recalled, Signing::default());
         assert!(draft.contains("DRAFT") && draft.contains("R_p: &lt;other&gt;"));
         assert!(!draft.contains(lines));
         let confirmed = Signing {
             allows_recalled: true,
         };
-        let signed = signature(lines, &recalled, ON_A_SHEET, confirmed);
+        let signed = sign(&recalled, confirmed);
         assert!(signed.contains(lines) && signed.contains("recalled") && !signed.contains("DRAFT"));
-        assert_eq!(signature(lines, &[], ON_A_SHEET, Signing::default()), lines);
+        assert_eq!(sign(&[], Signing::default()), lines);
     }
 }

@@ -7,10 +7,12 @@ use freestand_inventory::Rating;
 use freestand_inventory::library::{ASSUMED_BETA, Confidence};
 use freestand_output::answer::table_of;
 use freestand_output::folder::OutputFolder;
-use freestand_output::html::{Cell, figure, heading, list, paragraph, table, words};
+use freestand_output::html::{Cell, figure, list, table, words};
 use freestand_risk::budget::{
     BudgetPlan, LifeSafety, NotPlanned, PlanRow, Planned, Standing, Unfunded,
 };
+
+use maud::{Markup, html};
 
 use super::sheet_cell::SheetCell;
 use super::words::{amount, label, long, probability};
@@ -355,58 +357,44 @@ fn with_currency(head: &str, plan: &BudgetPlan) -> String {
 }
 
 /// The plan for the report, with `orders`, the links to the work orders.
-pub(super) fn plan_html(plan: &BudgetPlan, orders: &str) -> String {
-    let mut html: String = sentences(plan).iter().map(|said| paragraph(said)).collect();
-    let heads = |why: &str| -> Vec<Cell> {
-        let own = HEADINGS.iter().map(|(head, is_number)| {
-            let head = with_currency(head, plan);
-            if *is_number {
-                figure(head)
-            } else {
-                words(&head)
-            }
-        });
+pub(super) fn plan_html(plan: &BudgetPlan, orders: &Markup) -> Markup {
+    let cell = |text: String, is_number: bool| {
+        if is_number { figure(text) } else { words(text) }
+    };
+    let headings = |why: &str| -> Vec<Cell> {
+        let own = HEADINGS.iter();
+        let own = own.map(|(head, is_number)| cell(with_currency(head, plan), *is_number));
         own.chain([words(why)]).collect()
     };
     let row = |row: &PlanRow| -> Vec<Cell> {
         let own = cells(row).into_iter().zip(HEADINGS);
-        let own = own.map(|(text, (_, is_number))| {
-            if is_number {
-                figure(text)
-            } else {
-                words(&text)
-            }
-        });
+        let own = own.map(|(text, (_, is_number))| cell(text, is_number));
         own.chain([words(standing_words(row.standing))]).collect()
     };
-    let planned: Vec<Vec<Cell>> = plan.planned().map(row).collect();
-    if !planned.is_empty() {
-        html.push_str(&table("", &[heads("why")], &planned));
-    }
-    html.push_str(orders);
     let rest: Vec<&PlanRow> = plan.rows.iter().filter(|row| !row.is_planned()).collect();
-    if !rest.is_empty() {
-        let mut alternatives = heading("Alternatives, and what is not planned");
-        let rows: Vec<Vec<Cell>> = rest.iter().take(MOST_ROWS).map(|one| row(one)).collect();
-        alternatives.push_str(&table("", &[heads("why not")], &rows));
-        if rest.len() > MOST_ROWS {
-            alternatives.push_str(&paragraph(&format!(
-                "All of them are in {ALTERNATIVES_NAME}."
-            )));
+    html! {
+        @for said in sentences(plan) { p { (said) } }
+        @if plan.planned().next().is_some() { (table("", &headings("why"), plan.planned().map(row))) }
+        (orders)
+        @if !rest.is_empty() {
+            @let alternatives = html! {
+                h3 { "Alternatives, and what is not planned" }
+                (table("", &headings("why not"), rest.iter().take(MOST_ROWS).map(|one| row(one))))
+                @if rest.len() > MOST_ROWS { p { "All of them are in " (ALTERNATIVES_NAME) "." } }
+            };
+            (long(alternatives, rest.len(), ALTERNATIVES_NAME))
         }
-        html.push_str(&long(alternatives, rest.len(), ALTERNATIVES_NAME));
+        h3 { "What the plan assumes" }
+        (list(assumptions(plan)))
     }
-    html.push_str(&heading("What the plan assumes"));
-    html.push_str(&list(&assumptions(plan)));
-    html
 }
 
 /// The options for one object side by side, for its card: what each costs, carries and leaves of its risk.
-pub(super) fn options_html(options: &[&PlanRow]) -> String {
+pub(super) fn options_html(options: &[&PlanRow]) -> Markup {
     let Some(first) = options.first() else {
-        return String::new();
+        return Markup::default();
     };
-    let headings = vec![
+    let headings = [
         words("Option"),
         words("What it is"),
         figure(format!("Cost ({})", first.currency)),
@@ -416,18 +404,17 @@ pub(super) fn options_html(options: &[&PlanRow]) -> String {
         words("In the plan"),
     ];
     let row = |row: &&PlanRow| {
-        vec![
+        [
             words(&row.measure),
             words(&row.measure_item),
             figure(format!("{}–{}", amount(row.cost[0]), amount(row.cost[2]))),
-            words(&force(row)),
-            words(&probability(row.before)),
-            words(&after(row)),
+            words(force(row)),
+            words(probability(row.before)),
+            words(after(row)),
             words(standing_words(row.standing)),
         ]
     };
-    let rows: Vec<Vec<Cell>> = options.iter().map(row).collect();
-    table("", &[headings], &rows)
+    table("", &headings, options.iter().map(row))
 }
 
 /// The rows of the sheet: headings, then every option, as texts and numbers.

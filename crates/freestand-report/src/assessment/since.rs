@@ -12,8 +12,9 @@ use freestand_input::words::{counted, percent_significant};
 use freestand_output::answer;
 use freestand_output::answer::table_of;
 use freestand_output::folder::{MANIFEST, OutputFolder};
-use freestand_output::html::{Cell, list, paragraph, table, words};
+use freestand_output::html::{list, table, words};
 use freestand_output::paths::io_problem;
+use maud::{Markup, html};
 use serde_json::Value;
 use strum::IntoStaticStr;
 
@@ -381,25 +382,19 @@ pub(super) fn since_text(since: &Since) -> String {
 }
 
 /// The changes in the report.
-pub(super) fn since_html(since: &Since) -> String {
-    let mut html = list(&sentences(since));
-    let heads: Vec<Cell> = HEADINGS.iter().map(|head| words(head)).collect();
-    for changed in Changed::ALL {
-        let all: Vec<&Change> = of(since, changed).collect();
-        let rows: Vec<Vec<Cell>> = all
-            .iter()
-            .take(MOST_ROWS)
-            .map(|change| cells(change).iter().map(|cell| words(cell)).collect())
-            .collect();
-        if !rows.is_empty() {
-            html.push_str(&table(changed.title(), std::slice::from_ref(&heads), &rows));
-        }
-        if all.len() > MOST_ROWS {
-            let more = all.len() - MOST_ROWS;
-            html.push_str(&paragraph(&format!("{more} more in {CHANGES_NAME}.")));
+pub(super) fn since_html(since: &Since) -> Markup {
+    let headings = HEADINGS.map(words);
+    html! {
+        (list(sentences(since)))
+        @for changed in Changed::ALL {
+            @let all = of(since, changed).count();
+            @if all > 0 {
+                @let rows = of(since, changed).take(MOST_ROWS).map(|change| cells(change).map(words));
+                (table(changed.title(), &headings, rows))
+            }
+            @if all > MOST_ROWS { p { (all - MOST_ROWS) " more in " (CHANGES_NAME) "." } }
         }
     }
-    html
 }
 
 #[cfg(test)]

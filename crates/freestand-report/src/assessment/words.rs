@@ -3,6 +3,7 @@
 use freestand_assess::result::{Assessment, Decision, FallsAnswer, Probability, TooMild};
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_study::result::Ranked;
+use maud::{Markup, html};
 
 /// The colours of a decision; its sign and its word always accompany them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -220,14 +221,17 @@ const SHORT_ROWS: usize = 25;
 
 /// A list of the report with so many rows. A long one is on the screen, and on paper only where that is asked for;
 /// `file` has it too.
-pub(super) fn long(html: String, rows: usize, file: &str) -> String {
+pub(super) fn long(list: Markup, rows: usize, file: &str) -> Markup {
     if rows <= SHORT_ROWS {
-        return html;
+        return list;
     }
-    format!(
-        "<div class=\"long\">\n{html}</div>\n<p class=\"instead\">The list of {rows} rows is left out on paper: it is in \
-         {file}, and is printed if \u{201c}Print the long lists too\u{201d} is ticked.</p>\n"
-    )
+    html! {
+        div.long { (list) }
+        p.instead {
+            "The list of " (rows) " rows is left out on paper: it is in " (file)
+            ", and is printed if “Print the long lists too” is ticked."
+        }
+    }
 }
 
 /// An amount of money in whole units, with a narrow space between its thousands.

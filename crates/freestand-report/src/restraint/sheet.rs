@@ -3,9 +3,9 @@
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::number;
 use freestand_output::html::{
-    self, CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, markup, opening, paragraph,
-    properties, words,
+    Cell, ONE_PAGE_CSS, classed_table, document, figure, list, properties, table, words,
 };
+use maud::{Markup, html};
 
 use super::force::{ToConfirm, deduction_words, equation, numbers, remarks, to_confirm};
 use super::list::{RestrainListReport, name};
@@ -54,12 +54,16 @@ sub { font-size: .72em; line-height: 0; }
 /// `restraint.html` of one object.
 pub fn restraint_sheet(report: &RestrainReport, signing: Signing) -> String {
     let case = &report.case;
-    let html = opening(
+    page(
         "Restraint of an object",
         &subtitle(case),
-        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
-    );
-    html + &sheet(case, "", signing) + CLOSING
+        &sheet(case, "", signing),
+    )
+}
+
+fn page(title: &str, subtitle: &str, content: &Markup) -> String {
+    let css = format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}");
+    document(title, subtitle, &css, content)
 }
 
 /// `restraint.html` of a list: a table of all objects, and a sheet for each that has a force.
@@ -69,32 +73,13 @@ pub fn restraint_sheets(report: &RestrainListReport, signing: Signing) -> String
         .target
         .as_ref()
         .map_or_else(String::new, Target::parts_words);
-    let mut html = opening(
-        "Restraints of a list",
-        &hazard,
-        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
-    );
-    let said = format!(
-        "{} of {} objects have a force; a sheet for each follows.",
-        report.held(),
-        held.objects.len()
-    );
-    html.push_str(&paragraph(&said));
     let heading_of = |(i, heading): (usize, &'static str)| match i {
         0 | 1 => words(heading),
         _ => figure(heading),
     };
     let headings = report.headings().into_iter().enumerate();
-    let rows: Vec<Vec<Cell>> = report
-        .lines()
-        .zip(&held.objects)
-        .map(|(line, one)| cells(line, one))
-        .collect();
-    html.push_str(&html::table(
-        "",
-        &[headings.map(heading_of).collect()],
-        &rows,
-    ));
+    let headings: Vec<Cell> = headings.map(heading_of).collect();
+    let rows = report.lines().zip(&held.objects);
     let source = report
         .provenance()
         .map(|source| format!("Hazard: {source}."));
@@ -106,46 +91,54 @@ pub fn restraint_sheets(report: &RestrainListReport, signing: Signing) -> String
             .into_iter()
             .map(|problem| format!("In the list: {problem}")),
     );
-    html.push_str(&heading("Assumptions and warnings"));
-    html.push_str(&bullets(&notes));
-    for one in &held.objects {
-        let Ok(case) = &one.found else {
-            continue;
-        };
-        let many = (one.quantity > 1).then(|| format!("{} of them", one.quantity));
-        let names = [&one.floor, &one.room].map(|name| Some(name.clone()));
-        let mut about = vec![format!("Row {} of the list", one.row)];
-        about.extend(
-            many.into_iter()
-                .chain(names.into_iter().flatten())
-                .filter(|text| !text.is_empty()),
-        );
-        let below = format!("{}. {}", about.join(", "), subtitle(case));
-        html.push_str(&format!(
-            "<section class=\"object\">\n<h2>{}</h2>\n<p class=\"sub\">{}</p>\n{}</section>\n",
-            escape(&name(one)),
-            escape(&below),
-            sheet(case, &one.id, signing)
-        ));
-    }
-    html + CLOSING
+    let found = held.objects.iter();
+    let found = found.filter_map(|one| Some((one, one.found.as_ref().ok()?)));
+    let content = html! {
+        p {
+            (report.held()) " of " (held.objects.len()) " objects have a force; a sheet for each follows."
+        }
+        (table("", &headings, rows.map(|(line, one)| cells(line, one))))
+        h3 { "Assumptions and warnings" }
+        (bullets(&notes))
+        @for (one, case) in found {
+            section.object {
+                h2 { (name(one)) }
+                p.sub { (about(one)) ". " (subtitle(case)) }
+                (sheet(case, &one.id, signing))
+            }
+        }
+    };
+    page("Restraints of a list", &hazard, &content)
+}
+
+/// Where an object is, and how many there are of it.
+fn about(one: &HeldItem) -> String {
+    let many = (one.quantity > 1).then(|| format!("{} of them", one.quantity));
+    let about = [
+        format!("Row {} of the list", one.row),
+        many.unwrap_or_default(),
+        one.floor.clone(),
+        one.room.clone(),
+    ];
+    let known: Vec<String> = about.into_iter().filter(|text| !text.is_empty()).collect();
+    known.join(", ")
 }
 
 /// A line of the table of all objects; a reason takes the place of the numbers.
 fn cells(line: Vec<String>, one: &HeldItem) -> Vec<Cell> {
     let columns = line.len();
-    let mut cells: Vec<Cell> = Vec::with_capacity(columns);
-    for (i, text) in line.iter().enumerate() {
-        match (i, one.found.is_err()) {
-            (0 | 1, _) => cells.push(words(text)),
-            (2, true) => {
-                cells.push(words(text).over(columns - 2));
-                break;
-            }
-            _ => cells.push(figure(text)),
-        }
+    let [row, object, reason, ..] = &line[..] else {
+        return line.iter().map(words).collect();
+    };
+    if one.found.is_err() {
+        let reason = words(reason).over(columns - 2);
+        return vec![words(row), words(object), reason];
     }
-    cells
+    let figures = line.iter().skip(2).map(figure);
+    [words(row), words(object)]
+        .into_iter()
+        .chain(figures)
+        .collect()
 }
 
 /// The clause, the hazard and the floor.
@@ -164,69 +157,74 @@ fn subtitle(case: &Case) -> String {
 }
 
 /// The sheet of one object below its title.
-fn sheet(case: &Case, id: &str, signing: Signing) -> String {
+fn sheet(case: &Case, id: &str, signing: Signing) -> Markup {
     let own = &case.own;
-    let units = case.request.units;
-    let mut html = String::from("<div class=\"sheet\">\n<div>\n");
-    html.push_str(&sketch(case));
-    html.push_str("</div>\n<div>\n");
-    html.push_str(&object_and_results(case));
-    html.push_str("</div>\n</div>\n");
-    html.push_str("<div class=\"sheet\">\n<div>\n");
-    html.push_str(&heading("The force"));
-    let ratio = number(own.source.part.formula_ratio, 4);
-    html.push_str(&format!(
-        "<p class=\"formula\">{}</p>\n<p class=\"formula\">= {} = {ratio} W</p>\n",
-        symbols(&equation(&own.source)),
-        escape(&numbers(&own.source))
-    ));
-    if let Some(limits) = limits_words(&own.source) {
-        html.push_str(&format!(
-            "<p>Limits: {}: F = {} W.</p>\n",
-            escape(&limits),
-            number(own.force_ratio(), 4)
-        ));
-    }
-    let row = |factor| {
+    let factors = own.source.factors.iter().map(|factor| {
         let [symbol, value, source] = factor_words(&own.source, factor);
-        vec![markup(symbols(&symbol), ""), words(&value), words(&source)]
+        [words(symbols(&symbol)), words(value), words(source)]
+    });
+    let lines = html! {
+        div.sign {
+            span { @if id.is_empty() { "Object or asset no." } @else { (id) } }
+            span { "Name" }
+            span { "Date and signature" }
+        }
     };
-    let rows: Vec<Vec<Cell>> = own.source.factors.iter().map(row).collect();
-    html.push_str(&html::table(
-        "",
-        &[vec![words("factor"), words("value"), words("who says so")]],
-        &rows,
-    ));
-    html.push_str("</div>\n<div>\n");
-    html.push_str(&heading("The anchors"));
-    html.push_str(&anchors(case));
-    html.push_str("</div>\n</div>\n");
-    if !case.others.is_empty() {
-        html.push_str(&heading("For comparison, on the same spectrum"));
-        let mut titles = vec![words("clause")];
-        titles.extend(
-            [
-                "force",
-                "force/weight",
-                "tension along one edge",
-                "in concrete",
-            ]
-            .map(figure),
-        );
-        let row = |force: &RestraintForce| {
-            vec![
-                words(&clause_words(&force.source)),
-                figure(units.force(force.force_n)),
-                figure(number(force.force_ratio(), 3)),
-                figure(units.force(force.anchor_tension_n)),
-                figure(units.force(force.anchor_tension_concrete_n)),
-            ]
-        };
-        let rows: Vec<Vec<Cell>> = case.others.iter().map(row).collect();
-        html.push_str(&html::table("", &[titles], &rows));
+    html! {
+        div.sheet {
+            div { (sketch(case)) }
+            div { (object_and_results(case)) }
+        }
+        div.sheet {
+            div {
+                h3 { "The force" }
+                p.formula { (symbols(&equation(&own.source))) }
+                p.formula { "= " (numbers(&own.source)) " = " (number(own.source.part.formula_ratio, 4)) " W" }
+                @if let Some(limits) = limits_words(&own.source) {
+                    p { "Limits: " (limits) ": F = " (number(own.force_ratio(), 4)) " W." }
+                }
+                (table("", &["factor", "value", "who says so"].map(words), factors))
+            }
+            div {
+                h3 { "The anchors" }
+                (anchors(case))
+            }
+        }
+        @if !case.others.is_empty() {
+            h3 { "For comparison, on the same spectrum" }
+            (others(case))
+        }
+        (confirmations(case))
+        h3 { "Assumed" }
+        (bullets(&notes(case)))
+        (signature(lines, &recalled(case), ON_A_SHEET, signing))
     }
-    html.push_str(&confirmations(case));
-    html.push_str(&heading("Assumed"));
+}
+
+/// The forces by other codes.
+fn others(case: &Case) -> Markup {
+    let units = case.request.units;
+    let titles = [
+        words("clause"),
+        figure("force"),
+        figure("force/weight"),
+        figure("tension along one edge"),
+        figure("in concrete"),
+    ];
+    let row = |force: &RestraintForce| {
+        [
+            words(clause_words(&force.source)),
+            figure(units.force(force.force_n)),
+            figure(number(force.force_ratio(), 3)),
+            figure(units.force(force.anchor_tension_n)),
+            figure(units.force(force.anchor_tension_concrete_n)),
+        ]
+    };
+    table("", &titles, case.others.iter().map(row))
+}
+
+/// What was assumed, and what the sheet does not say.
+fn notes(case: &Case) -> Vec<String> {
     let source = provenance(case.target.as_ref()).map(|source| format!("Hazard: {source}."));
     let doubt = case
         .target
@@ -240,23 +238,13 @@ fn sheet(case: &Case, id: &str, signing: Signing) -> String {
     notes.extend(assumptions(case));
     let lifts_nothing = case.doubts.contains(&RestraintDoubt::NoTension);
     notes.extend(lifts_nothing.then(|| sentence(NO_TENSION)));
-    notes.extend(remarks(&own.source));
+    notes.extend(remarks(&case.own.source));
     notes.push(
         "The sheet gives what the restraint must carry. Anchors, base plates, and the floor or wall that they are in \
          need a design of their own, and so does the part of the object that is held."
             .to_owned(),
     );
-    html.push_str(&bullets(&notes));
-    let asset = if id.is_empty() {
-        "Object or asset no."
-    } else {
-        id
-    };
-    let lines = format!(
-        "<div class=\"sign\"><span>{}</span><span>Name</span><span>Date and signature</span></div>\n",
-        escape(asset)
-    );
-    html + &signature(&lines, &recalled(case), ON_A_SHEET, signing)
+    notes
 }
 
 /// What of a sheet is quoted from memory.
@@ -271,11 +259,8 @@ fn recalled(case: &Case) -> Vec<String> {
 }
 
 /// The box of what nobody has read in the code: an engineer writes the value of the edition beside it.
-fn confirmations(case: &Case) -> String {
+fn confirmations(case: &Case) -> Markup {
     let open = to_confirm(&case.own.source);
-    if open.is_empty() {
-        return String::new();
-    }
     let titles = [
         "not read in the code",
         "value used",
@@ -284,25 +269,26 @@ fn confirmations(case: &Case) -> String {
     ]
     .map(words);
     let row = |one: &ToConfirm| {
-        vec![
-            markup(symbols(&one.what), ""),
+        [
+            words(symbols(&one.what)),
             words(&one.value),
             words(""),
             words(""),
         ]
     };
-    let rows: Vec<Vec<Cell>> = open.iter().map(row).collect();
-    let table = html::classed_table("blanks", "", &[titles.to_vec()], &rows);
-    format!(
-        "<section class=\"confirm\">\n{}{table}</section>\n",
-        heading("To be confirmed by the engineer (confidence: recalled)")
-    )
+    html! {
+        @if !open.is_empty() {
+            section.confirm {
+                h3 { "To be confirmed by the engineer (confidence: recalled)" }
+                (classed_table("blanks", "", &[&titles], open.iter().map(row)))
+            }
+        }
+    }
 }
 
 /// A list of sentences, in which keys are the flags of the command.
-fn bullets(notes: &[String]) -> String {
-    let shown = notes.iter().map(|note| KeyStyle::Flag.shown(note));
-    list(&shown.collect::<Vec<_>>())
+fn bullets(notes: &[String]) -> Markup {
+    list(notes.iter().map(|note| KeyStyle::Flag.shown(note)))
 }
 
 /// A warning as a sentence.
@@ -313,7 +299,7 @@ fn sentence(warning: &str) -> String {
     })
 }
 
-fn object_and_results(case: &Case) -> String {
+fn object_and_results(case: &Case) -> Markup {
     let (force, object) = (&case.own, &case.question.object);
     let units = case.request.units;
     let length = |length_m: f64| units.length(length_m);
@@ -368,19 +354,25 @@ fn object_and_results(case: &Case) -> String {
             units.force_in_both(force.bracket_base_shear_n),
         ),
     ];
-    properties("The object", &object_rows) + &properties("The restraint", &results)
+    html! {
+        (properties("The object", &object_rows))
+        (properties("The restraint", &results))
+    }
 }
 
-fn anchors(case: &Case) -> String {
+fn anchors(case: &Case) -> Markup {
     let units = case.request.units;
     let force = &case.own;
     let count = case.request.anchors.per_edge;
-    let mut titles = vec![words("")];
-    titles.extend(["tension", "tension in concrete", "shear"].map(figure));
+    let titles = [
+        words(""),
+        figure("tension"),
+        figure("tension in concrete"),
+        figure("shear"),
+    ];
     let row = |name: &str, forces: [f64; 3]| {
-        let mut row = vec![words(name)];
-        row.extend(forces.map(|force_n| figure(units.force_in_both(force_n))));
-        row
+        let [tension, concrete, shear] = forces.map(|force_n| figure(units.force_in_both(force_n)));
+        [words(name), tension, concrete, shear]
     };
     let of_each = case.each_anchor();
     let all = [
@@ -393,14 +385,11 @@ fn anchors(case: &Case) -> String {
         of_each.tension_concrete_n,
         of_each.shear_n,
     ];
-    let table = html::table(
-        "",
-        &[titles],
-        &[
-            row("all along one edge", all),
-            row(&format!("each of {count}"), each),
-        ],
-    );
+    let rows = [
+        row("all along one edge", all),
+        row(&format!("each of {count}"), each),
+    ];
+    let table = table("", &titles, rows);
     let Some(axis) = &force.axis else {
         return table;
     };
@@ -412,14 +401,13 @@ fn anchors(case: &Case) -> String {
     };
     let chosen = case.request.anchors.chosen.as_ref().map(|anchor| {
         let ratio = utilisation_words(case).unwrap_or_default();
-        let rows = [
+        [
             (
                 "Design capacity of one anchor",
                 capacity_words(anchor, units),
             ),
             ("Demand over capacity", ratio),
-        ];
-        properties("", &rows) + &paragraph(DESIGN_CAPACITY)
+        ]
     });
     let tension = format!(
         "{}, at least 0, with c = {}, e = {}, B = {} (the {}), a = {} (the distance of the anchors \
@@ -434,23 +422,24 @@ fn anchors(case: &Case) -> String {
         deduction_words(&force.source),
         number(force.source.overstrength_ratio(), 4)
     );
-    format!(
-        "{table}{}<p>{}</p>\n",
-        chosen.unwrap_or_default(),
-        symbols(&tension)
-    )
+    html! {
+        (table)
+        @if let Some(chosen) = chosen {
+            (properties("", &chosen))
+            p { (DESIGN_CAPACITY) }
+        }
+        p { (symbols(&tension)) }
+    }
 }
 
 /// A text with its symbols as in print: `a_p` has an index.
-fn symbols(text: &str) -> String {
-    let (mut html, mut rest) = (String::new(), text);
-    while let Some((before, after)) = rest.split_once('_') {
-        let index = after
-            .find(|c: char| !c.is_alphanumeric())
-            .unwrap_or(after.len());
-        let (index, tail) = after.split_at(index);
-        html.push_str(&format!("{}<sub>{}</sub>", escape(before), escape(index)));
-        rest = tail;
+fn symbols(text: &str) -> Markup {
+    let mut parts = text.split('_');
+    html! {
+        (parts.next().unwrap_or_default())
+        @for part in parts {
+            @let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+            sub { (part[..end]) } (part[end..])
+        }
     }
-    html + &escape(rest)
 }

@@ -5,9 +5,8 @@ use freestand::risk::probability_in_years;
 use freestand_input::quantity::shorten;
 use freestand_input::words::{counted, number, percent_significant, some};
 use freestand_output::figure::Figure;
-use freestand_output::html::{
-    CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, list, opening, paragraph, table, words,
-};
+use freestand_output::html::{ONE_PAGE_CSS, document, drawing, figure, list, table, words};
+use maud::{Markup, html};
 
 use freestand_inventory::Rating;
 use freestand_risk::fragility::{At, CurveDoubt, Measure, cautions};
@@ -19,7 +18,7 @@ use crate::fragility::doubts::curve_doubts;
 use freestand_risk::RiskReport;
 use freestand_risk::costs::{CostRow, NotCounted};
 use freestand_risk::objects::{Limit, LossBounds, ObjectRisk, RiskVerdict, Slopes, StateRisk};
-use freestand_risk::plan::Chosen;
+use freestand_risk::plan::{Chosen, Measures, Worth};
 
 /// The style of this report, added to that of a one-page report.
 const CSS: &str = "\
@@ -66,38 +65,31 @@ pub fn owners_page(report: &RiskReport, drawn: Option<&Figure>) -> String {
         "{kinds} of object. Hazard: {source}. freestand {}.",
         env!("CARGO_PKG_VERSION")
     );
-    let mut html = opening(
+    let content = html! {
+        div.boxes {
+            @for (value, what) in boxes(report, &years) {
+                div { strong { (value) } small { (what) } }
+            }
+        }
+        p { (whose(report)) }
+        (plan(report))
+        (objects(report, &years))
+        @if let Some(drawn) = drawn {
+            figure {
+                (drawing(drawn))
+                figcaption { (drawn.caption) }
+            }
+        }
+        h3 { "What is not counted" }
+        (list(not_counted(report)))
+        @for sentence in assumptions(report) { p { (sentence) } }
+    };
+    document(
         "What earthquakes may cost",
         &subtitle,
         &format!("{ONE_PAGE_CSS}{CSS}"),
-    );
-    html.push_str("<div class=\"boxes\">\n");
-    for (value, what) in boxes(report, &years) {
-        html.push_str(&format!(
-            "<div><strong>{}</strong><small>{}</small></div>\n",
-            escape(&value),
-            escape(&what)
-        ));
-    }
-    html.push_str("</div>\n");
-    html.push_str(&paragraph(&whose(report)));
-    html.push_str(&plan(report));
-    html.push_str(&objects(report, &years));
-    if let Some(drawn) = drawn {
-        let label = format!("<svg role=\"img\" aria-label=\"{}\" ", escape(&drawn.title));
-        html.push_str(&format!(
-            "<figure>\n<div class=\"scroll\" tabindex=\"0\">{}</div>\n<figcaption>{}</figcaption>\n</figure>\n",
-            drawn.svg.replacen("<svg ", &label, 1),
-            escape(&drawn.caption)
-        ));
-    }
-    html.push_str(&heading("What is not counted"));
-    html.push_str(&list(&not_counted(report)));
-    for sentence in assumptions(report) {
-        html.push_str(&paragraph(&sentence));
-    }
-    html.push_str(CLOSING);
-    html
+        &content,
+    )
 }
 
 /// Whose objects these are, with room for what nobody stated.
@@ -360,16 +352,25 @@ fn not_known() -> String {
     "not known".to_owned()
 }
 
-fn plan(report: &RiskReport) -> String {
-    let currency = report.currency.as_deref().unwrap_or("");
+fn plan(report: &RiskReport) -> Markup {
     let Some((measures, plan)) = report
         .measures
         .as_ref()
         .and_then(|all| Some((all, all.plan.as_ref()?)))
     else {
-        return String::new();
+        return Markup::default();
     };
-    let mut html = heading("The plan");
+    let unfunded = unfunded_words(plan, report.currency.as_deref().unwrap_or(""));
+    html! {
+        h3 { "The plan" }
+        @if let Some(words) = unfunded { p { (words) ": the budget does not reach what people need." } }
+        p { (what_it_saves(report, measures, plan)) }
+        @if !plan.chosen.is_empty() { (chosen(report, plan)) }
+    }
+}
+
+/// What a plan saves, and whether another may save more.
+fn what_it_saves(report: &RiskReport, measures: &Measures, plan: &Chosen) -> String {
     let unknown = match measures.unknown().len() {
         0 => String::new(),
         1 => " What one option saves is not known, so that it is not in the plan.".to_owned(),
@@ -377,21 +378,13 @@ fn plan(report: &RiskReport) -> String {
             format!(" What {many} options save is not known, so that they are not in the plan.")
         }
     };
-    if let Some(words) = unfunded_words(plan, currency) {
-        html.push_str(&paragraph(&format!(
-            "{words}: the budget does not reach what people need."
-        )));
-    }
     if plan.chosen.is_empty() {
         let known = if measures.is_at_least() {
             ", as far as is known"
         } else {
             ""
         };
-        html.push_str(&paragraph(&format!(
-            "Within the budget, no option saves more than it costs{known}.{unknown}"
-        )));
-        return html;
+        return format!("Within the budget, no option saves more than it costs{known}.{unknown}");
     }
     let is_rated = plan
         .chosen
@@ -409,14 +402,19 @@ fn plan(report: &RiskReport) -> String {
         }
         (false, _) => "The best plan that was found in the time allowed; there may be a better one",
     };
-    html.push_str(&paragraph(&format!(
+    format!(
         "{proven}. Over {} years at a discount rate of {} a year, the plan saves {}{} more than it \
          costs.{unknown}",
         number(measures.horizon_years, 4),
         percent_significant(measures.discount_ratio, 2),
         least(plan.is_at_least()),
-        money(plan.plan.value, currency)
-    )));
+        money(plan.plan.value, report.currency.as_deref().unwrap_or(""))
+    )
+}
+
+/// The options of a plan.
+fn chosen(report: &RiskReport, plan: &Chosen) -> Markup {
+    let currency = report.currency.as_deref().unwrap_or("");
     let of = |id: &str| {
         report
             .objects
@@ -424,46 +422,40 @@ fn plan(report: &RiskReport) -> String {
             .find(|object| object.id == id)
             .and_then(|object| object.cost.as_ref())
     };
-    let rows: Vec<Vec<Cell>> = plan
-        .chosen
-        .iter()
-        .map(|worth| {
-            vec![
-                words(&shorten(&worth.id)),
-                words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
-                words(&of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
-                words(worth.life_safety.map_or("–", Rating::name)),
-                words(&shorten(&worth.option)),
-                figure(grouped(worth.cost)),
-                figure(
-                    worth
-                        .benefit_present_value
-                        .map_or("–".to_owned(), |benefit| {
-                            format!("{}{}", least(worth.is_at_least), grouped(benefit))
-                        }),
-                ),
-                figure(worth.ratio().map_or("–".to_owned(), |ratio| {
-                    format!("{}{}", least(worth.is_at_least), number(ratio, 2))
-                })),
-            ]
-        })
-        .collect();
-    let heads = ["object", "item", "place", "life safety", "option"]
-        .map(words)
-        .into_iter();
-    let heads = heads.chain(
+    let row = |worth: &Worth| {
         [
-            format!("cost ({currency})"),
-            format!("saves, present value ({currency})"),
-            "benefit/cost".to_owned(),
+            words(shorten(&worth.id)),
+            words(of(&worth.id).map_or(String::new(), |row| shorten(&row.item))),
+            words(of(&worth.id).map_or(String::new(), |row| shorten(&row.location))),
+            words(worth.life_safety.map_or("–", Rating::name)),
+            words(shorten(&worth.option)),
+            figure(grouped(worth.cost)),
+            figure(
+                worth
+                    .benefit_present_value
+                    .map_or("–".to_owned(), |benefit| {
+                        format!("{}{}", least(worth.is_at_least), grouped(benefit))
+                    }),
+            ),
+            figure(worth.ratio().map_or("–".to_owned(), |ratio| {
+                format!("{}{}", least(worth.is_at_least), number(ratio, 2))
+            })),
         ]
-        .map(figure),
-    );
-    html.push_str(&table("", &[heads.collect()], &rows));
-    html
+    };
+    let headings = [
+        words("object"),
+        words("item"),
+        words("place"),
+        words("life safety"),
+        words("option"),
+        figure(format!("cost ({currency})")),
+        figure(format!("saves, present value ({currency})")),
+        figure("benefit/cost"),
+    ];
+    table("", &headings, plan.chosen.iter().map(row))
 }
 
-fn objects(report: &RiskReport, years: &str) -> String {
+fn objects(report: &RiskReport, years: &str) -> Markup {
     let currency = report.currency.as_deref().unwrap_or("");
     let chosen = report
         .measures
@@ -540,7 +532,7 @@ fn objects(report: &RiskReport, years: &str) -> String {
             .filter(|one| one.1 > 0.0)
             .map_or("–".to_owned(), every);
         let mut cells = vec![
-            words(&shorten(&object.id)),
+            words(shorten(&object.id)),
             figure(number(
                 object.cost.as_ref().map_or(1.0, |cost| cost.quantity),
                 4,
@@ -561,33 +553,24 @@ fn objects(report: &RiskReport, years: &str) -> String {
             ));
         }
         if has_verdicts {
-            cells.push(words(&compared(object)));
+            cells.push(words(compared(object)));
         }
         cells
     };
-    let mut html = heading("The objects");
-    if has_verdicts {
-        html.push_str(&paragraph(&verdicts(report)));
-    }
-    let rows: Vec<Vec<Cell>> = sorted.iter().take(MAX_ROWS).map(row).collect();
-    html.push_str(&table("", &[heads], &rows));
     let rest = sorted.get(MAX_ROWS..).unwrap_or_default();
-    if !rest.is_empty() {
-        let loss: f64 = rest
-            .iter()
-            .filter_map(|object| object.expected_annual_loss)
-            .sum();
-        let of_losses = if has_losses {
-            format!(", together {} a year", money(loss, currency))
-        } else {
-            String::new()
-        };
-        html.push_str(&paragraph(&format!(
-            "And {} more{of_losses}, in risk.csv.",
-            rest.len()
-        )));
+    let losses_of_rest = rest.iter().filter_map(|one| one.expected_annual_loss);
+    html! {
+        h3 { "The objects" }
+        @if has_verdicts { p { (verdicts(report)) } }
+        (table("", &heads, sorted.iter().take(MAX_ROWS).map(row)))
+        @if !rest.is_empty() {
+            p {
+                "And " (rest.len()) " more"
+                @if has_losses { ", together " (money(losses_of_rest.sum(), currency)) " a year" }
+                ", in risk.csv."
+            }
+        }
     }
-    html
 }
 
 /// How many kinds of object fail more often than accepted, and how much more often the worst of

@@ -13,12 +13,10 @@ use freestand_input::quantity::UnitSystem;
 use freestand_input::words::{counted, number};
 use freestand_inventory::library::{Confidence, RestraintKind};
 use freestand_output::folder::OutputFolder;
-use freestand_output::html::{
-    CLOSING, Cell, ONE_PAGE_CSS, escape, figure, heading, markup, opening, paragraph, properties,
-    table, words,
-};
+use freestand_output::html::{ONE_PAGE_CSS, document, figure, properties, table, words};
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 use freestand_study::study::TitleBlock;
+use maud::{Markup, html};
 
 use super::plan::standing_words;
 use super::words::{amount, label};
@@ -128,20 +126,20 @@ pub(super) fn write_orders(
 }
 
 /// Links to the orders and to the parts, for a page in the folder of the results.
-pub(super) fn links(plan: &BudgetPlan) -> String {
+pub(super) fn links(plan: &BudgetPlan) -> Markup {
     let orders = orders(plan, None);
-    if orders.is_empty() {
-        return String::new();
+    html! {
+        @if !orders.is_empty() {
+            h3 { "Work orders, one for each room" }
+            p { "The parts of all rooms: " a href=(PARTS_PAGE) { (PARTS_PAGE) } ", " (PARTS_NAME) "." }
+            (rooms(plan, &orders))
+        }
     }
-    let parts = format!(
-        "<p>The parts of all rooms: <a href=\"{PARTS_PAGE}\">{PARTS_PAGE}</a>, {PARTS_NAME}.</p>\n"
-    );
-    heading("Work orders, one for each room") + &parts + &rooms(plan, &orders)
 }
 
 /// A row for each room, with a link to its order.
-fn rooms(plan: &BudgetPlan, orders: &[Order]) -> String {
-    let headings = vec![
+fn rooms(plan: &BudgetPlan, orders: &[Order]) -> Markup {
+    let headings = [
         words("room"),
         words("where"),
         figure("objects"),
@@ -149,21 +147,15 @@ fn rooms(plan: &BudgetPlan, orders: &[Order]) -> String {
         figure(format!("cost ({})", plan.currency)),
     ];
     let row = |order: &Order| {
-        let link = format!(
-            "<a href=\"{}\">{}</a>",
-            escape(&order.file),
-            escape(&order.room)
-        );
-        vec![
-            markup(link, ""),
+        [
+            words(html! { a href=(order.file) { (order.room) } }),
             words(&order.place),
-            figure(pieces(&order.rows).to_string()),
+            figure(pieces(&order.rows)),
             figure(hours(minutes(&order.rows))),
             figure(range(cost(&order.rows))),
         ]
     };
-    let rows: Vec<Vec<Cell>> = orders.iter().map(row).collect();
-    table("", &[headings], &rows)
+    table("", &headings, orders.iter().map(row))
 }
 
 fn pieces(rows: &[&PlanRow]) -> u32 {
@@ -230,12 +222,6 @@ pub(super) fn recalled<'r>(rows: impl Iterator<Item = &'r PlanRow>) -> Vec<Strin
 
 /// The page of one room.
 fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) -> String {
-    let heading = format!("Work order: {}", order.room);
-    let mut html = opening(
-        &heading,
-        &order.place,
-        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
-    );
     let facts = [
         ("Objects", pieces(&order.rows).to_string()),
         ("Work", hours(minutes(&order.rows))),
@@ -250,41 +236,51 @@ fn page(plan: &BudgetPlan, order: &Order, title: &TitleBlock, signing: Signing) 
         ("Prepared by", title.preparer.clone().unwrap_or_default()),
         ("Revision", title.revision.clone().unwrap_or_default()),
     ];
-    html.push_str(&properties("", &facts));
-    for row in &order.rows {
-        html.push_str(&object(plan, row));
-    }
-    html.push_str(&paragraph(
-        "Before you drill, look for pipes and cables, and find out what the wall or the floor is made of. Where the force by \
-         the code and that in the simulated earthquakes differ, the larger one counts. These are the forces that the \
-         restraint must carry; the wall, the floor and the part of the object that is held need checks of their own.",
-    ));
-    let lines = "<div class=\"sign\"><span>Fitted by</span><span>Checked by</span><span>Date and signature</span></div>\n";
-    html.push_str(&signature(
-        lines,
-        &recalled(order.rows.iter().copied()),
-        ON_A_SHEET,
-        signing,
-    ));
-    html + CLOSING
+    let lines = html! {
+        div.sign { span { "Fitted by" } span { "Checked by" } span { "Date and signature" } }
+    };
+    let recalled = recalled(order.rows.iter().copied());
+    let content = html! {
+        (properties("", &facts))
+        @for row in &order.rows { (object(plan, row)) }
+        p {
+            "Before you drill, look for pipes and cables, and find out what the wall or the floor is made of. Where the force by \
+             the code and that in the simulated earthquakes differ, the larger one counts. These are the forces that the \
+             restraint must carry; the wall, the floor and the part of the object that is held need checks of their own."
+        }
+        (signature(lines, &recalled, ON_A_SHEET, signing))
+    };
+    document(
+        &format!("Work order: {}", order.room),
+        &order.place,
+        &format!("{ONE_PAGE_CSS}{SIGNATURE_CSS}{CSS}"),
+        &content,
+    )
 }
 
 /// What is fitted to one object.
-fn object(plan: &BudgetPlan, row: &PlanRow) -> String {
+fn object(plan: &BudgetPlan, row: &PlanRow) -> Markup {
     let many = match row.quantity {
         1 => String::new(),
         many => format!(" × {many}"),
     };
     let name = format!("{} {}{many}", row.id, row.item);
-    let drawing = drawing::drawing(row).unwrap_or_else(|| {
-        paragraph("There is no drawing: its height or its thickness is not known.")
-    });
-    format!(
-        "<section class=\"object\">\n<h2>{}</h2>\n<div class=\"work\">\n{drawing}<div>\n{}<p class=\"fitted\">\
-         <span>☐ fitted</span><span>Initials: ____________</span></p>\n</div>\n</div>\n</section>\n",
-        escape(name.trim()),
-        properties("", &facts(plan, row)),
-    )
+    html! {
+        section.object {
+            h2 { (name.trim()) }
+            div.work {
+                @if let Some(drawing) = drawing::drawing(row) {
+                    (drawing)
+                } @else {
+                    p { "There is no drawing: its height or its thickness is not known." }
+                }
+                div {
+                    (properties("", &facts(plan, row)))
+                    p.fitted { span { "☐ fitted" } span { "Initials: ____________" } }
+                }
+            }
+        }
+    }
 }
 
 fn facts(plan: &BudgetPlan, row: &PlanRow) -> Vec<(&'static str, String)> {

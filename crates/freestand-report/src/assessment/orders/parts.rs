@@ -6,11 +6,10 @@ use freestand_input::problem::Problem;
 use freestand_input::words::counted;
 use freestand_output::answer;
 use freestand_output::answer::table_of;
-use freestand_output::html::{
-    CLOSING, Cell, figure, heading, opening, paragraph, table as html_table, words,
-};
+use freestand_output::html::{Cell, document, figure, table as html_table, words};
 use freestand_output::table::Table;
 use freestand_risk::budget::{BudgetPlan, PlanRow};
+use maud::{Markup, html};
 
 use super::{Order, confidence, cost, hours, minutes, pieces, range, rooms};
 use crate::assessment::sheet_cell::SheetCell;
@@ -183,27 +182,33 @@ impl Sum {
     }
 }
 
-fn anchors_words(anchors: Option<u64>) -> String {
-    anchors.map_or_else(|| "unknown".to_owned(), |count| count.to_string())
-}
-
 /// `parts.html`.
 pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
     let subtitle = format!(
         "Of the plan within the budget · freestand {}",
         env!("CARGO_PKG_VERSION")
     );
-    let mut html = opening("Parts and work orders", &subtitle, "");
     let parts = parts(plan);
-    if parts.is_empty() {
-        return html + &paragraph("The plan restrains nothing: there is nothing to buy.") + CLOSING;
-    }
+    let content = html! {
+        @if parts.is_empty() {
+            p { "The plan restrains nothing: there is nothing to buy." }
+        } @else {
+            (table_of_parts(plan, &parts))
+            h3 { "Work orders: " (counted(orders.len(), "room")) }
+            (rooms(plan, orders))
+        }
+    };
+    document("Parts and work orders", &subtitle, "", &content)
+}
+
+/// The parts, and their sum.
+fn table_of_parts(plan: &BudgetPlan, parts: &[Part]) -> Markup {
     let head = |text: &str| figure(format!("{text} ({})", plan.currency));
     let all = match parts.iter().all(|part| part.row.fitting.work.is_some()) {
         true => "parts and work",
         false => "parts, and work that is known",
     };
-    let headings = vec![
+    let headings = [
         words("restraint"),
         words("what it is"),
         figure("quantity"),
@@ -213,39 +218,32 @@ pub(super) fn page(plan: &BudgetPlan, orders: &[Order]) -> String {
         head(all),
         words("price"),
     ];
-    let row = |part: &Part| -> Vec<Cell> {
-        vec![
-            words(&part.row.measure),
-            words(&part.row.measure_item),
-            figure(part.quantity.to_string()),
-            figure(anchors_words(part.anchors)),
-            figure(range(part.price)),
-            figure(hours(part.minutes)),
-            figure(range(part.cost)),
-            words(&format!(
-                "{} ({})",
-                part.row.fitting.price_source,
-                confidence(part.row.price_confidence)
-            )),
+    let cells = |measure: &str, what: &str, price: &str, of: &[Part]| -> [Cell; 8] {
+        let sum = Sum::of(of);
+        let anchors = sum.anchors.map(|count| count.to_string());
+        [
+            words(measure),
+            words(what),
+            figure(sum.quantity),
+            figure(anchors.as_deref().unwrap_or("unknown")),
+            figure(range(sum.price)),
+            figure(hours(sum.minutes)),
+            figure(range(sum.cost)),
+            words(price),
         ]
     };
-    let mut rows: Vec<Vec<Cell>> = parts.iter().map(row).collect();
-    let sum = Sum::of(&parts);
-    rows.push(vec![
-        words("all"),
-        words(""),
-        figure(sum.quantity.to_string()),
-        figure(anchors_words(sum.anchors)),
-        figure(range(sum.price)),
-        figure(hours(sum.minutes)),
-        figure(range(sum.cost)),
-        words(""),
-    ]);
-    html.push_str(&html_table("", &[headings], &rows));
-    html.push_str(&heading(&format!(
-        "Work orders: {}",
-        counted(orders.len(), "room")
-    )));
-    html.push_str(&rooms(plan, orders));
-    html + CLOSING
+    let row = |part: &Part| {
+        let (source, confidence) = (
+            &part.row.fitting.price_source,
+            confidence(part.row.price_confidence),
+        );
+        cells(
+            &part.row.measure,
+            &part.row.measure_item,
+            &format!("{source} ({confidence})"),
+            std::slice::from_ref(part),
+        )
+    };
+    let sum = cells("all", "", "", parts);
+    html_table("", &headings, parts.iter().map(row).chain([sum]))
 }

@@ -233,7 +233,7 @@ fn a_plan_shows_the_verdict_of_each_object() {
     let mut plan = plan(vec![row("b", "1", RestraintKind::Strap, |_| ()), left]);
     (plan.not_restrained, plan.without_option) = (3, 1);
     let text = super::super::plan::plan_text(&plan);
-    let html = super::super::plan::plan_html(&plan, "");
+    let html = super::super::plan::plan_html(&plan, &Markup::default()).0;
     for told in [&text, &html] {
         assert!(
             told.contains("Planned although the verdict is leave: 2 objects, because the restraint saves more than it costs."),

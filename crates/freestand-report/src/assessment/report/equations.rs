@@ -5,20 +5,20 @@ use freestand::G0_M_S2;
 use freestand_assess::result::Chain;
 use freestand_input::words::number;
 use freestand_inventory::Item;
-use freestand_output::html::paragraph;
+use maud::{Markup, html};
 
 use super::words;
 
 /// The landing at the world that decides, step by step.
-pub(super) fn equations(item: &Item, chain: &Chain) -> String {
-    let mut html = paragraph(&format!(
+pub(super) fn equations(item: &Item, chain: &Chain) -> Markup {
+    let said = format!(
         "The world that decides, the hardest once the accepted share of the worlds is left out, is {}. In \
          the plane of the {}, the centre of gravity rises by Δh = {} mm, and the uplift is {} mm.",
         chain.motion,
         chain.axis.name(),
         millimetres(chain.cg_rise_m),
         millimetres(chain.uplift_m)
-    ));
+    );
     let mut lines = geometry(item, chain);
     match chain.stiffness_n_m {
         Some(stiffness_n_m) => lines.extend(spring(chain, stiffness_n_m)),
@@ -40,12 +40,10 @@ pub(super) fn equations(item: &Item, chain: &Chain) -> String {
             number(ratio, 4)
         ));
     }
-    html.push_str("<div class=\"eqs\">\n");
-    for line in lines {
-        html.push_str(&format!("<p class=\"eq\">{}</p>\n", words(&line)));
+    html! {
+        p { (said) }
+        div.eqs { @for line in lines { p.eq { (words(&line)) } } }
     }
-    html.push_str("</div>\n");
-    html
 }
 
 /// A length in mm, as the rest of the page has them.

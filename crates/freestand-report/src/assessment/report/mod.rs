@@ -11,8 +11,9 @@ use std::collections::{BTreeMap, HashMap};
 use freestand_input::problem::Problem;
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
-use freestand_output::html::{CLOSING, escape, opening};
+use freestand_output::html::{CLOSING, opening, written};
 use freestand_risk::budget::{BudgetPlan, PlanRow};
+use maud::{Markup, html};
 
 use super::overview::Overview;
 use super::table::Line;
@@ -27,7 +28,7 @@ pub(super) struct Report<'p> {
     max_pages: usize,
     /// The options of the plan for each object, by its id.
     options: HashMap<&'p str, Vec<&'p PlanRow>>,
-    pages: BTreeMap<usize, String>,
+    pages: BTreeMap<usize, Markup>,
 }
 
 impl<'p> Report<'p> {
@@ -70,12 +71,13 @@ impl<'p> Report<'p> {
             env!("CARGO_PKG_VERSION")
         );
         let css = format!("{SIGNATURE_CSS}{CSS}");
-        file.write(opening(TITLE, &subtitle, &css).as_bytes())?;
-        file.write(summary::summary(head, overview, self.max_pages, wanted).as_bytes())?;
-        for page in self.pages.values() {
-            file.write(page.as_bytes())?;
+        let summary = summary::summary(head, overview, self.max_pages, wanted);
+        let before = html! { (opening(TITLE, &subtitle, &css)) (summary) };
+        let pages = self.pages.into_values();
+        for piece in [before].into_iter().chain(pages) {
+            file.write(written(piece).as_bytes())?;
         }
-        file.write(CLOSING.as_bytes())?;
+        file.write(CLOSING.0.as_bytes())?;
         file.finish()
     }
 }
@@ -90,26 +92,26 @@ const MAX_NAME_CHARS: usize = 160;
 /// Longest paragraph of a user's text on a page, in characters.
 const MAX_TEXT_CHARS: usize = 1_500;
 
-/// A text for a heading or a cell, escaped, and cut where it would fill the page.
-fn name(text: &str) -> String {
+/// A text for a heading or a cell, cut where it would fill the page.
+fn name(text: &str) -> Markup {
     cut(text, MAX_NAME_CHARS)
 }
 
-/// A text for a paragraph, escaped, and cut where it would fill pages.
-fn words(text: &str) -> String {
+/// A text for a paragraph, cut where it would fill pages.
+fn words(text: &str) -> Markup {
     cut(text, MAX_TEXT_CHARS)
 }
 
-fn cut(text: &str, longest: usize) -> String {
+fn cut(text: &str, longest: usize) -> Markup {
     let shown = match text.char_indices().nth(longest) {
-        None => escape(text),
-        Some((end, _)) => format!("{} … <i>(truncated)</i>", escape(&text[..end])),
+        None => html! { (text) },
+        Some((end, _)) => html! { (text[..end]) " … " i { "(truncated)" } },
     };
     // Characters that change the direction of writing would change it for our own words after them
     // too.
     let turns = |c: char| matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
     if text.contains(turns) {
-        format!("<bdi>{shown}</bdi>")
+        html! { bdi { (shown) } }
     } else {
         shown
     }

@@ -7,19 +7,19 @@ use crate::assessment::compared::{comparison, tolerance};
 use crate::assessment::overview::place;
 use crate::assessment::plan::options_html;
 use crate::assessment::reasons::{self, softer_pad};
-use crate::assessment::words::{exceeded, falls, margin, ranked, ranked_milli, tier};
+use crate::assessment::words::{exceeded, falls, margin, probability, ranked, ranked_milli, tier};
 use crate::restraint::force::{note, source_name};
 use freestand_assess::restraint::source::SourceKind;
 use freestand_assess::result::{
-    Assessment, AxisResponse, ModelAnswers, ObjectModel, Ranked, RestraintForce, Shares,
+    Assessment, AxisResponse, ModelAnswers, ObjectModel, OnPads, OnRigidBase, Ranked,
+    RestraintForce, Shares, Softening,
 };
 use freestand_input::words::{counted, fixed, number, percent};
 use freestand_inventory::{Inventory, Item};
-use freestand_output::html::{
-    Cell, classed_table, figure, heading, markup, paragraph, table, words as text,
-};
+use freestand_output::html::{Cell, classed_table, figure, list, table, words as text};
 use freestand_risk::budget::PlanRow;
 use freestand_study::cushion::cushion_words;
+use maud::{Markup, html};
 
 use super::drawing::sketch;
 use super::equations::equations;
@@ -33,45 +33,43 @@ pub(super) fn page(
     rank: usize,
     found: &Assessment,
     options: &[&PlanRow],
-) -> String {
-    let mut html = format!("<section class=\"object\" id=\"{}\">\n", anchor(rank));
-    let _ = writeln!(
-        html,
-        "<div class=\"name\">\n<p class=\"up\"><a href=\"#first\">Rank {rank}</a></p>\n\
-         <h2>{} <span class=\"what\">{}</span></h2>\n</div>",
-        name(&item.id),
-        name(&item.item)
-    );
-    let _ = writeln!(
-        html,
-        "<div class=\"verdict {}\">{} <span>{}</span></div>",
-        found.decision.name(),
-        badge(found.decision),
-        words(&reasons::why(item, found))
-    );
-    html.push_str("<div class=\"two\">\n");
-    html.push_str(&pairs(&verdict_figures(item, found)));
-    html.push_str(&pairs(&object_figures(item, found)));
-    html.push_str(&sketch(item));
-    html.push_str("</div>\n");
-    html.push_str(&response(found));
-    html.push_str(&what_to_do(found));
-    html.push_str(&options_html(options));
-    html.push_str(&notes(item, found));
-    html.push_str("<details>\n<summary>How it was calculated</summary>\n");
-    html.push_str(&calculation(inventory, item, found));
-    html.push_str("</details>\n</section>\n");
-    html
+) -> Markup {
+    html! {
+        section.object #(anchor(rank)) {
+            div.name {
+                p.up { a href="#first" { "Rank " (rank) } }
+                h2 { (name(&item.id)) " " span.what { (name(&item.item)) } }
+            }
+            div.verdict.(found.decision.name()) {
+                (badge(found.decision)) " " span { (words(&reasons::why(item, found))) }
+            }
+            div.two {
+                (pairs(&verdict_figures(item, found)))
+                (pairs(&object_figures(item, found)))
+                (sketch(item))
+            }
+            (response(found))
+            (what_to_do(found))
+            (options_html(options))
+            (paragraph(&reasons::notes(item, found)))
+            details {
+                summary { "How it was calculated" }
+                (calculation(inventory, item, found))
+            }
+        }
+    }
+}
+
+/// A paragraph, if there is something to say.
+fn paragraph(said: &str) -> Markup {
+    html! { @if !said.is_empty() { p { (words(said)) } } }
 }
 
 /// Names and values; empty ones are left out.
-fn pairs(rows: &[(&str, String)]) -> String {
-    let rows: Vec<Vec<Cell>> = rows
-        .iter()
-        .filter(|(_, value)| !value.is_empty())
-        .map(|(key, value)| vec![text(key), markup(words(value), "")])
-        .collect();
-    classed_table("pairs", "", &[], &rows)
+fn pairs(rows: &[(&str, String)]) -> Markup {
+    let stated = rows.iter().filter(|(_, value)| !value.is_empty());
+    let rows = stated.map(|(key, value)| [text(key), text(words(value))]);
+    classed_table("pairs", "", &[], rows)
 }
 
 /// The numbers on which the verdict is based.
@@ -256,59 +254,18 @@ fn consequences(item: &Item) -> String {
 }
 
 /// What both models say, a row for each.
-fn response(found: &Assessment) -> String {
-    let Some(answers) = &found.answers else {
-        return paragraph("Its response was not calculated; the reason is given above.");
-    };
-    let chance = |model: &ModelAnswers| {
-        let exceed = model
-            .exceed
-            .map_or_else(|| "–".to_owned(), crate::assessment::words::probability);
-        [
-            figure(crate::assessment::words::probability(model.overturn)),
-            figure(exceed),
-        ]
-    };
-    let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
-    let base = match found.model {
-        Some(ObjectModel::Roll) => "on its casters",
-        Some(ObjectModel::Slide) => "sliding",
-        _ => "rigid base, Eq. (5)",
-    };
-    let mut rows = Vec::new();
-    if let (Some(model), Some(response)) = (&answers.rigid, &found.response) {
-        let mut row = vec![text(base)];
-        row.extend(chance(model));
-        row.push(figure(percent(response.uplift_share, 0)));
-        row.push(figure(quantiles(response.uplift_m, |lift| {
-            ranked_milli(lift, "mm")
-        })));
-        row.push(figure(shocks.map_or_else(
-            || "–".to_owned(),
-            |shocks| quantiles(shocks, |g| ranked(g, "g")),
-        )));
-        rows.push(row);
-    }
-    if let (Some(model), Some(pads)) = (&answers.compliant, &found.on_pads) {
-        let mut row = vec![text(match found.model {
-            Some(ObjectModel::Spatial) => "in three dimensions, on its pads",
-            Some(ObjectModel::Stack) => "with what stands on it, on pads",
-            _ => "on its pads",
-        })];
-        row.extend(chance(model));
-        row.push(figure(percent(pads.let_go_share, 0)));
-        row.push(figure(said(pads.lift_m_median, |lift| {
-            ranked_milli(lift, "mm")
-        })));
-        row.push(figure(said(pads.edge_acceleration_g_median, |g| {
-            ranked(g, "g")
-        })));
-        rows.push(row);
-    }
+fn response(found: &Assessment) -> Markup {
+    let rows = found.answers.as_ref().map_or_else(Vec::new, |answers| {
+        let rigid = answers.rigid.as_ref().zip(found.response.as_ref());
+        let pads = answers.compliant.as_ref().zip(found.on_pads.as_ref());
+        let rigid = rigid.map(|(model, response)| on_rigid_base(found, model, response));
+        let pads = pads.map(|(model, pads)| on_pads(found, model, pads));
+        rigid.into_iter().chain(pads).collect()
+    });
     if rows.is_empty() {
-        return paragraph("Its response was not calculated; the reason is given above.");
+        return html! { p { "Its response was not calculated; the reason is given above." } };
     }
-    let headings = vec![
+    let headings = [
         text("Model"),
         figure("Falls over"),
         figure("Tolerance exceeded"),
@@ -316,7 +273,56 @@ fn response(found: &Assessment) -> String {
         figure("Median uplift (16 to 84 %)"),
         figure("Median shock (16 to 84 %)"),
     ];
-    table("", &[headings], &rows) + &in_brief(found)
+    html! {
+        (table("", &headings, rows))
+        (paragraph(&in_brief(found)))
+    }
+}
+
+fn on_rigid_base(found: &Assessment, model: &ModelAnswers, response: &OnRigidBase) -> [Cell; 6] {
+    let base = match found.model {
+        Some(ObjectModel::Roll) => "on its casters",
+        Some(ObjectModel::Slide) => "sliding",
+        _ => "rigid base, Eq. (5)",
+    };
+    let shocks = found.shock.as_ref().map(|shock| shock.edge_acceleration_g);
+    let [falls, exceeds] = chances(model);
+    [
+        text(base),
+        falls,
+        exceeds,
+        figure(percent(response.uplift_share, 0)),
+        figure(quantiles(response.uplift_m, |lift| {
+            ranked_milli(lift, "mm")
+        })),
+        figure(shocks.map_or_else(
+            || "–".to_owned(),
+            |shocks| quantiles(shocks, |g| ranked(g, "g")),
+        )),
+    ]
+}
+
+fn on_pads(found: &Assessment, model: &ModelAnswers, pads: &OnPads) -> [Cell; 6] {
+    let base = match found.model {
+        Some(ObjectModel::Spatial) => "in three dimensions, on its pads",
+        Some(ObjectModel::Stack) => "with what stands on it, on pads",
+        _ => "on its pads",
+    };
+    let [falls, exceeds] = chances(model);
+    [
+        text(base),
+        falls,
+        exceeds,
+        figure(percent(pads.let_go_share, 0)),
+        figure(said(pads.lift_m_median, |lift| ranked_milli(lift, "mm"))),
+        figure(said(pads.edge_acceleration_g_median, |g| ranked(g, "g"))),
+    ]
+}
+
+/// The probabilities that an object falls and that its tolerance is exceeded, by one model.
+fn chances(model: &ModelAnswers) -> [Cell; 2] {
+    let exceed = model.exceed.map_or_else(|| "–".to_owned(), probability);
+    [figure(probability(model.overturn)), figure(exceed)]
 }
 
 /// A median; in words where at least half of the worlds overturn the object.
@@ -429,11 +435,7 @@ fn in_brief(found: &Assessment) -> String {
             number(per_year.overturn, 2)
         ));
     }
-    if said.is_empty() {
-        String::new()
-    } else {
-        format!("<p>{}</p>\n", words(&said.join(" ")))
-    }
+    said.join(" ")
 }
 
 /// The groups of unknowns, the one that matters most first, and what to measure.
@@ -464,57 +466,57 @@ fn depends_on(shares: &Shares) -> Vec<String> {
     said
 }
 
-fn what_to_do(found: &Assessment) -> String {
-    let mut html = String::new();
-    if let Some(softening) = &found.softening {
-        let mut said = match softening.max_stiffness_n_m {
-            Some(stiffness) => format!(
-                "A softer pad: at most {} N/mm under one edge; it {} every check.",
-                number(1e-3 * stiffness, 3),
-                if softening.admissible() {
-                    "passed"
-                } else {
-                    "did not pass"
-                }
-            ),
-            None => "A softer pad: no stiffness suffices.".to_owned(),
-        };
-        if let Some(stroke_m) = softening.stroke_m {
-            let (stroke, pad) = (
-                number(1e3 * stroke_m, 3),
-                number(1e3 * softening.pad_thickness_m, 3),
-            );
-            let _ = write!(
-                said,
-                " It is {pad} mm thick and is compressed by {stroke} mm."
-            );
-        }
-        if let Some(shock_g) = softening.edge_acceleration_g {
-            let _ = write!(
-                said,
-                " The median shock on this pad is {} g.",
-                number(shock_g, 3)
-            );
-        }
-        let _ = writeln!(
-            html,
-            "<p>{} Check: {}</p>",
-            words(&said),
-            words(&softer_pad(softening, found.accepted_ratio))
-        );
-    }
-    html.push_str(&forces(
-        found
-            .restraint
-            .iter()
-            .filter(|force| force.source.kind != SourceKind::OtherCode),
-    ));
+fn what_to_do(found: &Assessment) -> Markup {
+    let design = found
+        .restraint
+        .iter()
+        .filter(|force| force.source.kind != SourceKind::OtherCode);
     let is_held = found
         .design_force()
         .is_some_and(|force| force.anchor_tension_n <= 0.0);
-    let held = is_held.then(|| "No tension: its weight holds it down.".to_owned());
-    html.push_str(&held.map_or_else(String::new, |said| paragraph(&said)));
-    html
+    html! {
+        @if let Some(softening) = &found.softening {
+            p {
+                (words(&softer_words(softening))) " Check: " (words(&softer_pad(softening, found.accepted_ratio)))
+            }
+        }
+        (forces(design))
+        @if is_held { p { "No tension: its weight holds it down." } }
+    }
+}
+
+/// The pad that would suffice.
+fn softer_words(softening: &Softening) -> String {
+    let mut said = match softening.max_stiffness_n_m {
+        Some(stiffness) => format!(
+            "A softer pad: at most {} N/mm under one edge; it {} every check.",
+            number(1e-3 * stiffness, 3),
+            if softening.admissible() {
+                "passed"
+            } else {
+                "did not pass"
+            }
+        ),
+        None => "A softer pad: no stiffness suffices.".to_owned(),
+    };
+    if let Some(stroke_m) = softening.stroke_m {
+        let (stroke, pad) = (
+            number(1e3 * stroke_m, 3),
+            number(1e3 * softening.pad_thickness_m, 3),
+        );
+        let _ = write!(
+            said,
+            " It is {pad} mm thick and is compressed by {stroke} mm."
+        );
+    }
+    if let Some(shock_g) = softening.edge_acceleration_g {
+        let _ = write!(
+            said,
+            " The median shock on this pad is {} g.",
+            number(shock_g, 3)
+        );
+    }
+    said
 }
 
 /// The clause of a force, and whether something of it is quoted from memory.
@@ -527,7 +529,7 @@ fn by(force: &RestraintForce) -> String {
 }
 
 /// Forces of a restraint, a row for each source; nothing where there are none.
-fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
+fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> Markup {
     let tension = |force_n: f64| {
         if force_n > 0.0 {
             kilonewtons(force_n)
@@ -536,8 +538,8 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
         }
     };
     let row = |force: &RestraintForce| {
-        vec![
-            markup(name(&by(force)), ""),
+        [
+            text(name(&by(force))),
             figure(kilonewtons(force.force_n)),
             figure(number(force.force_ratio(), 3)),
             figure(tension(force.anchor_tension_n)),
@@ -548,12 +550,7 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
             figure(kilonewtons(force.bracket_base_shear_n)),
         ]
     };
-    let forces: Vec<&RestraintForce> = forces.collect();
-    if forces.is_empty() {
-        return String::new();
-    }
-    let rows: Vec<Vec<Cell>> = forces.iter().map(|force| row(force)).collect();
-    let headings = vec![
+    let headings = [
         text("Force of a restraint by"),
         figure("Force"),
         figure("Force/weight"),
@@ -564,104 +561,80 @@ fn forces<'a>(forces: impl Iterator<Item = &'a RestraintForce>) -> String {
         figure("in concrete"),
         figure("at the feet"),
     ];
-    table("", &[headings], &rows)
-}
-
-/// What was assumed about the row.
-fn notes(item: &Item, found: &Assessment) -> String {
-    let notes = reasons::notes(item, found);
-    if notes.is_empty() {
-        String::new()
-    } else {
-        format!("<p>{}</p>\n", words(&notes))
+    let mut forces = forces.peekable();
+    html! {
+        @if forces.peek().is_some() { (table("", &headings, forces.map(row))) }
     }
 }
 
 /// Everything that a reviewer needs besides: both axes, formulas, equations, comparisons.
-fn calculation(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
-    let mut html = String::new();
-    if let Some(response) = &found.response {
-        html.push_str(&heading("Both sides of the object, on a rigid base"));
-        html.push_str(&axes(&response.axes));
-        html.push_str(&paragraph(&format!(
-            "At most {} in one world.",
-            counted(response.impacts_max, "impact")
-        )));
-    }
-    if let Some(shock) = &found.shock {
-        let mut said = format!(
-            "Duration of the pulse: {} ms; median velocity change: {}.",
-            number(1e3 * shock.pulse_duration_s, 3),
-            said(shock.velocity_change_m_s, |v| ranked(v, "m/s"))
-        );
-        if let Some(impacts) = shock.impacts_above_tolerance {
-            let _ = write!(
-                said,
-                " Impacts above the peak of its tolerance, in the hardest world that does not overturn it: \
-                 {impacts}."
-            );
-        }
-        if let Some(ratio) = found
-            .capacity
-            .as_ref()
-            .and_then(|capacity| capacity.floor_ratio)
-        {
-            let _ = write!(said, " Median PFA over tolerance: {}.", number(ratio, 3));
-        }
-        html.push_str(&paragraph(&said));
-    }
-    if let Some(pads) = &found.on_pads {
-        let number = |value: Option<f64>, unit: &str| {
-            value.map_or_else(
-                || "–".to_owned(),
-                |value| format!("{} {unit}", number(value, 3)),
-            )
-        };
-        html.push_str(&paragraph(&format!(
-            "On its pads it rocks at {} with both edges down; a steady {} lifts an edge off its pad.",
-            number(pads.rocking_frequency_hz, "Hz"),
-            number(pads.pad_uplift_threshold_g, "g"),
-        )));
-    }
-    if found
+fn calculation(inventory: &Inventory, item: &Item, found: &Assessment) -> Markup {
+    let known = |value: Option<f64>, unit: &str| {
+        value.map_or_else(
+            || "–".to_owned(),
+            |value| format!("{} {unit}", number(value, 3)),
+        )
+    };
+    let has_shares = found
         .shares
         .as_ref()
-        .is_some_and(|shares| shares.by_group.iter().any(|(_, share)| share.is_some()))
-    {
-        html.push_str(&paragraph(
-            "What the answer depends on: each share is that of worlds in which the answer changes if only this value is \
-             drawn again, divided by that of two unrelated worlds. The shares of values that act together overlap.",
-        ));
-    }
-    if !found.restraint.is_empty() {
-        html.push_str(&heading("Forces of the restraint"));
-        html.push_str(&forces(
-            found
-                .restraint
-                .iter()
-                .filter(|force| force.source.kind == SourceKind::OtherCode),
-        ));
-        html.push_str("<dl>\n");
-        for force in &found.restraint {
-            let _ = writeln!(
-                html,
-                "<dt>{}</dt><dd>{}</dd>",
-                name(source_name(&force.source)),
-                words(&note(force))
-            );
+        .is_some_and(|shares| shares.by_group.iter().any(|(_, share)| share.is_some()));
+    let other_codes = found
+        .restraint
+        .iter()
+        .filter(|force| force.source.kind == SourceKind::OtherCode);
+    html! {
+        @if let Some(response) = &found.response {
+            h3 { "Both sides of the object, on a rigid base" }
+            (axes(&response.axes))
+            p { "At most " (counted(response.impacts_max, "impact")) " in one world." }
         }
-        html.push_str("</dl>\n");
+        @if let Some(shock) = &found.shock {
+            p {
+                "Duration of the pulse: " (number(1e3 * shock.pulse_duration_s, 3)) " ms; median velocity change: "
+                (said(shock.velocity_change_m_s, |v| ranked(v, "m/s"))) "."
+                @if let Some(impacts) = shock.impacts_above_tolerance {
+                    " Impacts above the peak of its tolerance, in the hardest world that does not overturn it: "
+                    (impacts) "."
+                }
+                @if let Some(ratio) = found.capacity.as_ref().and_then(|capacity| capacity.floor_ratio) {
+                    " Median PFA over tolerance: " (number(ratio, 3)) "."
+                }
+            }
+        }
+        @if let Some(pads) = &found.on_pads {
+            p {
+                "On its pads it rocks at " (known(pads.rocking_frequency_hz, "Hz"))
+                " with both edges down; a steady " (known(pads.pad_uplift_threshold_g, "g"))
+                " lifts an edge off its pad."
+            }
+        }
+        @if has_shares {
+            p {
+                "What the answer depends on: each share is that of worlds in which the answer changes if only this value is \
+                 drawn again, divided by that of two unrelated worlds. The shares of values that act together overlap."
+            }
+        }
+        @if !found.restraint.is_empty() {
+            h3 { "Forces of the restraint" }
+            (forces(other_codes))
+            dl {
+                @for force in &found.restraint {
+                    dt { (name(source_name(&force.source))) }
+                    dd { (words(&note(force))) }
+                }
+            }
+        }
+        @if let Some(chain) = &found.chain {
+            h3 { "The shock, step by step" }
+            (equations(item, chain))
+        }
+        (comparisons(inventory, item, found))
     }
-    if let Some(chain) = &found.chain {
-        html.push_str(&heading("The shock, step by step"));
-        html.push_str(&equations(item, chain));
-    }
-    html.push_str(&comparisons(inventory, item, found));
-    html
 }
 
-fn axes(axes: &[AxisResponse]) -> String {
-    let headings = vec![
+fn axes(axes: &[AxisResponse]) -> Markup {
+    let headings = [
         text("Side in the plane of rocking"),
         figure("Slenderness angle"),
         figure("R"),
@@ -673,68 +646,60 @@ fn axes(axes: &[AxisResponse]) -> String {
         figure("84 %"),
         figure("Ceiling"),
     ];
-    let rows: Vec<Vec<Cell>> = axes
-        .iter()
-        .map(|axis| {
-            let mut cells = vec![
-                text(axis.axis.name()),
-                figure(format!(
-                    "{}°",
-                    fixed(axis.slenderness_angle_rad.to_degrees(), 1)
-                )),
-                figure(format!("{} mm", number(1e3 * axis.half_diagonal_m, 4))),
-                figure(format!("{} g", number(axis.uplift_threshold_g, 3))),
-                figure(percent(axis.uplift_share, 0)),
-                figure(percent(axis.overturn_share, 0)),
-            ];
-            match axis.edge_acceleration_g {
-                Some(shocks) => cells.extend(shocks.map(|g| figure(ranked(g, "g")))),
-                None => cells.push(markup("mass or cushion not given".to_owned(), "over").over(3)),
-            }
-            cells.push(figure(
-                axis.ceiling_g
-                    .map_or_else(|| "–".to_owned(), |g| format!("{} g", number(g, 3))),
-            ));
-            cells
-        })
-        .collect();
-    table("", &[headings], &rows)
+    let rows = axes.iter().map(|axis| {
+        let mut cells = vec![
+            text(axis.axis.name()),
+            figure(format!(
+                "{}°",
+                fixed(axis.slenderness_angle_rad.to_degrees(), 1)
+            )),
+            figure(format!("{} mm", number(1e3 * axis.half_diagonal_m, 4))),
+            figure(format!("{} g", number(axis.uplift_threshold_g, 3))),
+            figure(percent(axis.uplift_share, 0)),
+            figure(percent(axis.overturn_share, 0)),
+        ];
+        match axis.edge_acceleration_g {
+            Some(shocks) => cells.extend(shocks.map(|g| figure(ranked(g, "g")))),
+            None => cells.push(text("mass or cushion not given").class("over").over(3)),
+        }
+        cells.push(figure(
+            axis.ceiling_g
+                .map_or_else(|| "–".to_owned(), |g| format!("{} g", number(g, 3))),
+        ));
+        cells
+    });
+    table("", &headings, rows)
 }
 
 /// Comparisons with published numbers, and the other columns of the inventory.
-fn comparisons(inventory: &Inventory, item: &Item, found: &Assessment) -> String {
-    let mut html = String::new();
-    let mut add = |title: &str, lines: &[String]| {
-        if !lines.is_empty() {
-            let _ = writeln!(html, "{}<ul>", heading(title));
-            for line in lines {
-                let _ = writeln!(html, "<li>{}</li>", words(line));
-            }
-            html.push_str("</ul>\n");
-        }
-    };
-    let compared: Vec<String> = found
+fn comparisons(inventory: &Inventory, item: &Item, found: &Assessment) -> Markup {
+    let compared = found
         .comparisons
         .iter()
-        .filter_map(|one| Some(comparison(one, found.floor.as_ref()?)))
-        .collect();
-    add("Comparison with published numbers", &compared);
-    let mut carried = Vec::new();
-    if !item.notes.is_empty() {
-        carried.push(format!("Notes: {}", item.notes));
-    }
+        .filter_map(|one| Some(comparison(one, found.floor.as_ref()?)));
+    let notes = (!item.notes.is_empty()).then(|| format!("Notes: {}", item.notes));
     let cells = inventory
         .carried
         .iter()
         .zip(&item.carried)
-        .filter(|(_, cell)| !cell.is_empty());
-    carried.extend(
-        cells
-            .take(MAX_CARRIED)
-            .map(|(header, cell)| format!("{header}: {cell}")),
-    );
-    add("Other columns of the list", &carried);
-    html
+        .filter(|(_, cell)| !cell.is_empty())
+        .take(MAX_CARRIED)
+        .map(|(header, cell)| format!("{header}: {cell}"));
+    let titled = [
+        ("Comparison with published numbers", compared.collect()),
+        (
+            "Other columns of the list",
+            notes.into_iter().chain(cells).collect::<Vec<String>>(),
+        ),
+    ];
+    html! {
+        @for (title, lines) in titled {
+            @if !lines.is_empty() {
+                h3 { (title) }
+                (list(lines.iter().map(|line| words(line))))
+            }
+        }
+    }
 }
 
 /// Largest number of other columns of the inventory on a page.
@@ -756,7 +721,8 @@ mod tests {
             3,
             &crate::assessment::fixture::unknown(&item),
             &[],
-        );
+        )
+        .0;
         for said in [
             "NO VERDICT",
             "Nothing was assessed, because its height, its thickness and its floor level were not given.",

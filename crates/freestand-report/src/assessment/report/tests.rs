@@ -85,7 +85,7 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
     use crate::assessment::overview::Overview;
     let mut head = head(12);
     let overview = Overview::new(12, 50);
-    let made = |head: &Head| summary::summary(head, &overview, 200, ALONE);
+    let made = |head: &Head| summary::summary(head, &overview, 200, ALONE).0;
     let html = made(&head);
     let labels = ["Date", "Prepared by", "Revision", "Signature"];
     assert!(
@@ -112,7 +112,7 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
             ..crate::assessment::fixture::head(3)
         };
         let [with_cards, without] =
-            [200, 0].map(|pages| summary::summary(&head, &overview, pages, ALONE));
+            [200, 0].map(|pages| summary::summary(&head, &overview, pages, ALONE).0);
         assert!(without.contains("id=\"print-lists\"") && !without.contains("id=\"print-cards\""));
         with_cards
     };

@@ -22,51 +22,49 @@ use super::{headings, or_dash};
 use crate::doubts::{cushion_notes, dispersion, mean_off, period_from};
 use crate::ground;
 use crate::target::facts as facts_of;
-use freestand_output::html::{figure, heading, paragraph, properties, table, words};
+use freestand_output::html::{figure, properties, table, words};
+use maud::{Markup, html};
 
 /// Ground, building and objects.
-pub(super) fn inputs(study: &Study, result: &StudyResult) -> String {
-    let mut html = heading("Ground motions");
-    match &study.ground {
-        Ground::Synthetic(synthetic) => html += &synthetic_ground(synthetic, result),
-        Ground::Simulated(simulated) => html += &simulated_ground(simulated, result),
-        Ground::Recorded(records) => {
-            if let Some(target) = study.ground.target() {
-                html += &properties("", &facts_of(target));
+pub(super) fn inputs(study: &Study, result: &StudyResult) -> Markup {
+    html! {
+        h3 { "Ground motions" }
+        (ground_motions(study, result))
+        (vertical_motion(study, result))
+        @if let Some(input) = &study.building {
+            h3 { "Building" }
+            (building(study, input, result))
+        } @else {
+            h3 { "Floor motions" }
+            @for level in &study.levels {
+                @let caption = format!("Motions given for the level {}, as used", level.name);
+                (recorded_motions(&caption, &level.motions))
             }
-            html += &study
-                .ground
-                .suite()
-                .map_or_else(String::new, suite_selected);
-            html += &recorded_motions(
-                "Recorded motions as used",
-                &records.iter().collect::<Vec<_>>(),
-            );
-            html += &study
-                .ground
-                .target()
-                .map_or_else(String::new, |target| misfits(target, result));
         }
-        Ground::OnFloors => html += &paragraph("None: the study gives the motions of the floors."),
+        h3 { "Objects" }
+        (objects(study))
     }
-    html += &vertical_motion(study, result);
-    if let Some(input) = &study.building {
-        html += &heading("Building");
-        html += &building(study, input, result);
-    } else {
-        html += &heading("Floor motions");
-        for level in &study.levels {
-            let caption = format!("Motions given for the level {}, as used", level.name);
-            html += &recorded_motions(&caption, &level.motions.iter().collect::<Vec<_>>());
+}
+
+fn ground_motions(study: &Study, result: &StudyResult) -> Markup {
+    match &study.ground {
+        Ground::Synthetic(synthetic) => synthetic_ground(synthetic, result),
+        Ground::Simulated(simulated) => simulated_ground(simulated, result),
+        Ground::Recorded(records) => {
+            let target = study.ground.target();
+            html! {
+                @if let Some(target) = target { (properties("", &facts_of(target))) }
+                @if let Some(suite) = study.ground.suite() { (suite_selected(suite)) }
+                (recorded_motions("Recorded motions as used", records))
+                @if let Some(target) = target { (misfits(target, result)) }
+            }
         }
+        Ground::OnFloors => html! { p { "None: the study gives the motions of the floors." } },
     }
-    html += &heading("Objects");
-    html += &objects(study);
-    html
 }
 
 /// Where the vertical motion comes from, and how strong it is.
-fn vertical_motion(study: &Study, result: &StudyResult) -> String {
+fn vertical_motion(study: &Study, result: &StudyResult) -> Markup {
     let words = ground::vertical_motion(&study.ground);
     let peaks_g = result
         .ground
@@ -88,16 +86,19 @@ fn vertical_motion(study: &Study, result: &StudyResult) -> String {
     properties("", &facts)
 }
 
-fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> String {
+fn synthetic_ground(synthetic: &SyntheticGround, result: &StudyResult) -> Markup {
     let target = &synthetic.target;
     let mut facts = facts_of(target);
     facts.push(("Motions", synthetic.count.to_string()));
     facts.push(("Seed", synthetic.seed.to_string()));
-    properties("", &facts) + &misfits(target, result)
+    html! {
+        (properties("", &facts))
+        (misfits(target, result))
+    }
 }
 
 /// How well the motions fit their target.
-fn misfits(target: &Target, result: &StudyResult) -> String {
+fn misfits(target: &Target, result: &StudyResult) -> Markup {
     let headings = headings(
         ["Motion"],
         [
@@ -111,40 +112,38 @@ fn misfits(target: &Target, result: &StudyResult) -> String {
             "D5–95 (s)",
         ],
     );
-    let rows: Vec<_> = result
-        .ground
-        .iter()
-        .filter_map(|ground| {
-            let m = ground.misfit.as_ref()?;
-            Some(vec![
-                words(&ground.name),
-                figure(percent(m.rms_ratio, 1)),
-                figure(format!("{:+.1} %", 100.0 * m.worst_ratio)),
-                figure(fixed(m.worst_period_s, 3)),
-                figure(fixed(m.pga_g, 3)),
-                figure(fixed(m.target_zpa_g, 3)),
-                figure(fixed(m.pga_g / m.target_zpa_g, 2)),
-                figure(fixed(m.pgv_m_s, 3)),
-                figure(fixed(m.d5_95_s, 1)),
-            ])
-        })
-        .collect();
-    let why = paragraph(&format!(
-        "The misfit is the spectrum of the motion divided by the target, minus one, at {} periods from {} s to {} s. \
-         Why the PGA exceeds the target’s value at zero period (ZPA): the plateau of {} is {} times its ZPA. A \
-         motion whose spectrum has such a plateau cannot have such a small peak; the motions are matched from {} s \
-         on, and their PGA follows from that. It is not scaled down, because that would lower the plateau too.",
-        synthesis::MATCHED_PERIODS,
-        synthesis::SHORTEST_PERIOD_S,
-        synthesis::LONGEST_PERIOD_S,
-        target.site_words(),
-        fixed(target.spectrum.plateau_g() / target.spectrum.sa_g(0.0), 2),
-        synthesis::SHORTEST_PERIOD_S,
-    ));
-    table("How well the motions fit their target", &headings, &rows) + &why
+    let rows = result.ground.iter().filter_map(|ground| {
+        let m = ground.misfit.as_ref()?;
+        Some([
+            words(&ground.name),
+            figure(percent(m.rms_ratio, 1)),
+            figure(format!("{:+.1} %", 100.0 * m.worst_ratio)),
+            figure(fixed(m.worst_period_s, 3)),
+            figure(fixed(m.pga_g, 3)),
+            figure(fixed(m.target_zpa_g, 3)),
+            figure(fixed(m.pga_g / m.target_zpa_g, 2)),
+            figure(fixed(m.pgv_m_s, 3)),
+            figure(fixed(m.d5_95_s, 1)),
+        ])
+    });
+    let plateau_over_zpa = target.spectrum.plateau_g() / target.spectrum.sa_g(0.0);
+    html! {
+        (table("How well the motions fit their target", &headings, rows))
+        p {
+            "The misfit is the spectrum of the motion divided by the target, minus one, at "
+            (synthesis::MATCHED_PERIODS) " periods from " (synthesis::SHORTEST_PERIOD_S) " s to "
+            (synthesis::LONGEST_PERIOD_S)
+            " s. Why the PGA exceeds the target’s value at zero period (ZPA): the plateau of "
+            (target.site_words()) " is " (fixed(plateau_over_zpa, 2))
+            " times its ZPA. A motion whose spectrum has such a plateau cannot have such a small peak; the motions \
+             are matched from "
+            (synthesis::SHORTEST_PERIOD_S)
+            " s on, and their PGA follows from that. It is not scaled down, because that would lower the plateau too."
+        }
+    }
 }
 
-fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String {
+fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> Markup {
     let request = &simulated.request;
     let mut facts: Vec<(&str, String)> = vec![
         (
@@ -189,38 +188,37 @@ fn simulated_ground(simulated: &SimulatedGround, result: &StudyResult) -> String
             "D5–95 (s)",
         ],
     );
-    let rows: Vec<_> = simulated
-        .motions()
-        .zip(&result.ground)
-        .map(|((found, _), ground)| {
-            let m = measures(&ground.motion.along);
-            let corners: Vec<String> = found
-                .corner_frequencies_hz()
-                .iter()
-                .map(|hz| number(*hz, 3))
-                .collect();
-            vec![
-                words(&ground.name),
-                figure(number(found.source.magnitude, 3)),
-                figure(fixed(found.source.distance_m / 1e3, 1)),
-                figure(corners.join(", ")),
-                figure(fixed(found.source.duration_s(), 2)),
-                figure(fixed(m.pga_m_s2 / G0_M_S2, 3)),
-                figure(fixed(m.pgv_m_s, 3)),
-                figure(fixed(m.d5_95_s, 1)),
-            ]
-        })
-        .collect();
-    properties("", &facts)
-        + &table("Simulated motions", &headings, &rows)
-        + &paragraph(
+    let motions = simulated.motions().zip(&result.ground);
+    let rows = motions.map(|((found, _), ground)| {
+        let m = measures(&ground.motion.along);
+        let corners: Vec<String> = found
+            .corner_frequencies_hz()
+            .iter()
+            .map(|hz| number(*hz, 3))
+            .collect();
+        [
+            words(&ground.name),
+            figure(number(found.source.magnitude, 3)),
+            figure(fixed(found.source.distance_m / 1e3, 1)),
+            figure(corners.join(", ")),
+            figure(fixed(found.source.duration_s(), 2)),
+            figure(fixed(m.pga_m_s2 / G0_M_S2, 3)),
+            figure(fixed(m.pgv_m_s, 3)),
+            figure(fixed(m.d5_95_s, 1)),
+        ]
+    });
+    html! {
+        (properties("", &facts))
+        (table("Simulated motions", &headings, rows))
+        p {
             "M: moment magnitude; R: distance; corner: corner frequency or frequencies of the source spectrum; T_d: \
-             duration of the window.",
-        )
+             duration of the window."
+        }
+    }
 }
 
 /// The target of a suite, what the suite reaches, and the files that it could not use.
-fn suite_selected(suite: &Suite) -> String {
+fn suite_selected(suite: &Suite) -> Markup {
     let mut facts = facts_of(&suite.target);
     let folder = file_name(&suite.folder).unwrap_or_default();
     facts.extend([
@@ -242,70 +240,48 @@ fn suite_selected(suite: &Suite) -> String {
             suite.skipped.join(", "),
         ),
     ]);
-    let rows: Vec<_> = suite
-        .left_out
-        .iter()
-        .map(|one| vec![words(&one.file), words(&one.reason)])
-        .collect();
-    let left_out = if rows.is_empty() {
-        String::new()
-    } else {
-        table(
-            "Left out of the suite",
-            &[vec![words("File"), words("Why")]],
-            &rows,
-        )
-    };
-    properties("", &facts) + &left_out
+    let left_out = suite.left_out.iter();
+    let left_out = left_out.map(|one| [words(&one.file), words(&one.reason)]);
+    html! {
+        (properties("", &facts))
+        @if !suite.left_out.is_empty() {
+            (table("Left out of the suite", &["File", "Why"].map(words), left_out))
+        }
+    }
 }
 
-fn recorded_motions(caption: &str, records: &[&RecordedMotion]) -> String {
+fn recorded_motions(caption: &str, records: &[RecordedMotion]) -> Markup {
     let headings = headings(
         ["Motion", "File", "Read as"],
         ["Scale", "PGA (g)", "dt (s)", "Duration (s)"],
     );
-    let rows: Vec<_> = records
-        .iter()
-        .map(|record| {
-            let motion = &record.motion;
-            let file = file_name(&record.path).unwrap_or_default();
-            vec![
-                words(&record.name),
-                words(&file),
-                words(&record.description),
-                figure(number(record.scale_ratio, 6)),
-                figure(fixed(motion.peak_m_s2() / G0_M_S2, 3)),
-                figure(number(motion.dt_s(), 4)),
-                figure(fixed(motion.duration_s(), 1)),
-            ]
-        })
-        .collect();
-    let mut html = table(caption, &headings, &rows);
-    html += &processing(records);
-    if records.len() < 7 {
-        html += &paragraph("Percentiles of so few motions are coarse estimates.");
-    }
-    html
-}
-
-/// The processing of each motion, if any.
-fn processing(records: &[&RecordedMotion]) -> String {
-    let rows: Vec<_> = records
+    let rows = records.iter().map(|record| {
+        let motion = &record.motion;
+        [
+            words(&record.name),
+            words(file_name(&record.path).unwrap_or_default()),
+            words(&record.description),
+            figure(number(record.scale_ratio, 6)),
+            figure(fixed(motion.peak_m_s2() / G0_M_S2, 3)),
+            figure(number(motion.dt_s(), 4)),
+            figure(fixed(motion.duration_s(), 1)),
+        ]
+    });
+    let processed: Vec<_> = records
         .iter()
         .filter(|record| !record.processing.is_empty())
-        .map(|record| vec![words(&record.name), words(&record.processing.join("; "))])
+        .map(|record| [words(&record.name), words(record.processing.join("; "))])
         .collect();
-    if rows.is_empty() {
-        return String::new();
+    html! {
+        (table(caption, &headings, rows))
+        @if !processed.is_empty() {
+            (table("Processing, in this order", &["Motion", "Processing"].map(words), processed))
+        }
+        @if records.len() < 7 { p { "Percentiles of so few motions are coarse estimates." } }
     }
-    table(
-        "Processing, in this order",
-        &[vec![words("Motion"), words("Processing")]],
-        &rows,
-    )
 }
 
-fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> String {
+fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> Markup {
     let beam = &building.along;
     let height_m = building.height_m;
     let storeys = match building.storey_height_m {
@@ -328,41 +304,31 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             damping_words(across)
         )
     });
-    let mut html = properties(
-        "",
-        &[
-            ("Name", study.building_name.clone().unwrap_or_default()),
-            ("Model", format!("{}, linear", model_words(beam))),
-            ("Storeys", storeys),
-            (
-                "Fundamental period T₁",
-                format!(
-                    "{} s: {}",
-                    number(beam.period_s(), 4),
-                    period_from(&building.period_from)
-                ),
+    let levels = study.levels.iter().map(|l| {
+        let ratio = l.level_ratio.unwrap_or(1.0);
+        format!(
+            "{} at {} m (z/H = {})",
+            l.name,
+            number(ratio * height_m, 4),
+            number(ratio, 3)
+        )
+    });
+    let facts = [
+        ("Name", study.building_name.clone().unwrap_or_default()),
+        ("Model", format!("{}, linear", model_words(beam))),
+        ("Storeys", storeys),
+        (
+            "Fundamental period T₁",
+            format!(
+                "{} s: {}",
+                number(beam.period_s(), 4),
+                period_from(&building.period_from)
             ),
-            ("Damping", damping_words(beam)),
-            ("Second axis", across),
-            (
-                "Levels",
-                study
-                    .levels
-                    .iter()
-                    .map(|l| {
-                        let ratio = l.level_ratio.unwrap_or(1.0);
-                        format!(
-                            "{} at {} m (z/H = {})",
-                            l.name,
-                            number(ratio * height_m, 4),
-                            number(ratio, 3)
-                        )
-                    })
-                    .collect::<Vec<_>>()
-                    .join("; "),
-            ),
-        ],
-    );
+        ),
+        ("Damping", damping_words(beam)),
+        ("Second axis", across),
+        ("Levels", levels.collect::<Vec<_>>().join("; ")),
+    ];
     let headings = headings(
         [],
         [
@@ -374,24 +340,19 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
         ],
     );
     let mut sum = Some(0.0);
-    let rows: Vec<_> = result
-        .modes
-        .iter()
-        .enumerate()
-        .map(|(i, mode)| {
-            sum = sum
-                .zip(mode.effective_mass_ratio())
-                .map(|(sum, mass)| sum + mass);
-            let share = |ratio: Option<f64>| or_dash(ratio, |ratio| percent(ratio, 1));
-            vec![
-                figure((i + 1).to_string()),
-                figure(fixed(mode.period_s(), 3)),
-                figure(fixed(mode.participation_ratio(), 3)),
-                share(mode.effective_mass_ratio()),
-                share(sum),
-            ]
-        })
-        .collect();
+    let rows = result.modes.iter().enumerate().map(|(i, mode)| {
+        sum = sum
+            .zip(mode.effective_mass_ratio())
+            .map(|(sum, mass)| sum + mass);
+        let share = |ratio: Option<f64>| or_dash(ratio, |ratio| percent(ratio, 1));
+        [
+            figure(i + 1),
+            figure(fixed(mode.period_s(), 3)),
+            figure(fixed(mode.participation_ratio(), 3)),
+            share(mode.effective_mass_ratio()),
+            share(sum),
+        ]
+    });
     let title = match beam.model() {
         Model::Table { .. } => "Modes (shapes as in the table)",
         Model::Beam { .. } => "Modes (shapes are 1 at the roof)",
@@ -399,11 +360,13 @@ fn building(study: &Study, building: &BuildingInput, result: &StudyResult) -> St
             "Modes (shapes are 1 at the roof, or at their maximum if the roof hardly moves)"
         }
     };
-    html += &table(title, &headings, &rows);
-    html
+    html! {
+        (properties("", &facts))
+        (table(title, &headings, rows))
+    }
 }
 
-fn objects(study: &Study) -> String {
+fn objects(study: &Study) -> Markup {
     let objects = &study.objects;
     let tolerance = objects
         .tolerance_m_s2

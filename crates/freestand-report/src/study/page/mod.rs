@@ -7,15 +7,12 @@ mod reading;
 mod results;
 mod sensitivity;
 
-use freestand_output::html;
-use std::fmt::Write;
-
 use freestand_output::figure::Figure;
-use freestand_output::html::{Cell, escape};
+use freestand_output::html::{Cell, document, figure, words};
+use freestand_study::provenance::Provenance;
 use freestand_study::result::StudyResult;
 use freestand_study::study::Study;
-
-use freestand_study::provenance::Provenance;
+use maud::{Markup, html};
 
 /// The report of a run: HTML that is also well-formed XML.
 ///
@@ -26,7 +23,7 @@ pub(super) fn report(
     figures: &[Figure],
     provenance: &Provenance,
 ) -> String {
-    let sections = [
+    let sections: [(&str, &str, Markup); 8] = [
         (
             "results",
             "Results",
@@ -52,40 +49,39 @@ pub(super) fn report(
             provenance::provenance_section(study, provenance),
         ),
     ];
-    let sections = sections
-        .into_iter()
-        .filter(|(_, _, content)| !content.is_empty())
-        .collect::<Vec<_>>();
-    let mut document = html::opening(
+    let sections: Vec<_> = sections
+        .iter()
+        .filter(|(_, _, content)| !content.0.is_empty())
+        .collect();
+    let content = html! {
+        (overview::overview(study, result))
+        nav aria-label="Contents" {
+            @for (id, heading, _) in &sections { a href={ "#" (id) } { (heading) } " " }
+        }
+        @for (id, heading, content) in &sections {
+            section #(id) { h2 { (heading) } (content) }
+        }
+    };
+    document(
         &overview::title(study),
         &overview::subtitle(study, provenance),
         "",
-    );
-    document.push_str(&overview::overview(study, result));
-    document.push_str("<nav aria-label=\"Contents\">\n");
-    for (id, heading, _) in &sections {
-        let _ = writeln!(document, "<a href=\"#{id}\">{}</a>", escape(heading));
-    }
-    document.push_str("</nav>\n");
-    for (id, heading, content) in &sections {
-        document.push_str(&html::section(id, heading, content));
-    }
-    document.push_str(html::CLOSING);
-    document
+        &content,
+    )
 }
 
 /// The headings of a table: of its columns of words, and of its columns of figures.
 fn headings<const W: usize, const F: usize>(
     of_words: [&str; W],
-    figures: [&str; F],
-) -> Vec<Vec<Cell>> {
-    let of_words = of_words.into_iter().map(html::words);
-    vec![of_words.chain(figures.map(html::figure)).collect()]
+    of_figures: [&str; F],
+) -> Vec<Cell> {
+    let of_words = of_words.into_iter().map(words);
+    of_words.chain(of_figures.map(figure)).collect()
 }
 
 /// A value in a table, where there is one.
 fn or_dash<T>(value: Option<T>, words: impl FnOnce(T) -> String) -> Cell {
-    html::figure(value.map_or_else(|| "–".to_owned(), words))
+    figure(value.map_or_else(|| "–".to_owned(), words))
 }
 
 #[cfg(test)]

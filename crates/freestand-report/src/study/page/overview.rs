@@ -5,14 +5,14 @@ use crate::ground::{earthquake, simulated_earthquakes};
 use freestand_input::file::file_name;
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, percent};
-use freestand_output::html::escape;
+use freestand_output::html::{Cell, classed_table, figure, list, table, words};
 use freestand_study::cushion::cushion_words;
 use freestand_study::result::{ObjectResponse, StudyResult};
 use freestand_study::study::{Ground, Study};
 use freestand_study::summary::{LevelSummary, level_summaries};
+use maud::{Markup, html};
 
 use super::or_dash;
-use freestand_output::html::{classed_table, figure, list, markup, paragraph, table, words};
 use freestand_study::provenance::Provenance;
 
 /// Title of the report.
@@ -65,31 +65,26 @@ pub(super) fn subtitle(study: &Study, provenance: &Provenance) -> String {
 }
 
 /// Summary, first table and warnings.
-pub(super) fn overview(study: &Study, result: &StudyResult) -> String {
+pub(super) fn overview(study: &Study, result: &StudyResult) -> Markup {
     let levels: Vec<LevelSummary> = level_summaries(study, result);
-    let mut html = paragraph(&job_words(study, result, &levels));
-    html += "<ul>\n";
-    for level in &levels {
-        html += &format!(
-            "<li><strong>{}</strong>: {}</li>\n",
-            escape(&level.level),
-            escape(&level_words(level))
-        );
+    let doubts = study_doubts(&result.doubts);
+    html! {
+        p { (job_words(study, result, &levels)) }
+        ul {
+            @for level in &levels { li { strong { (level.level) } ": " (level_words(level)) } }
+        }
+        (first_table(&levels))
+        (tolerance_words(study, &levels))
+        (failures(result))
+        div.warn {
+            h2 { "Validity warnings" }
+            @if doubts.is_empty() {
+                p { "None." }
+            } @else {
+                (list(doubts.iter().map(|one| KeyStyle::Flag.shown(one))))
+            }
+        }
     }
-    html += "</ul>\n";
-    html += &first_table(&levels);
-    html += &tolerance_words(study, &levels);
-    html += &failures(result);
-    html += "<div class=\"warn\">\n<h2>Validity warnings</h2>\n";
-    if result.doubts.is_empty() {
-        html += "<p>None.</p>\n";
-    } else {
-        let doubts = study_doubts(&result.doubts).into_iter();
-        let shown = doubts.map(|one| KeyStyle::Flag.shown(&one));
-        html += &list(&shown.collect::<Vec<_>>());
-    }
-    html += "</div>\n";
-    html
 }
 
 fn job_words(study: &Study, result: &StudyResult, levels: &[LevelSummary]) -> String {
@@ -175,63 +170,57 @@ fn level_words(level: &LevelSummary) -> String {
     )
 }
 
-fn first_table(levels: &[LevelSummary]) -> String {
-    let headings = vec![
-        vec![
-            words("").over(8),
-            markup("Shock, uplift (g)".into(), "group").over(2),
-            markup("Shock, velocity (g)".into(), "group").over(2),
-        ],
-        vec![
-            words("Level"),
-            figure("z/H"),
-            figure("median PFA (g)"),
-            figure("histories"),
-            figure("failed"),
-            figure("uplift"),
-            figure("overturned"),
-            figure("overturned by half of the motions"),
-            markup("largest median".into(), "n first"),
-            figure("largest"),
-            markup("largest median".into(), "n first"),
-            figure("largest"),
-        ],
+fn first_table(levels: &[LevelSummary]) -> Markup {
+    let top = [
+        words("").over(8),
+        words("Shock, uplift (g)").class("group").over(2),
+        words("Shock, velocity (g)").class("group").over(2),
     ];
-    let shock = |value: Option<f64>, class| {
-        markup(value.map_or_else(|| "–".to_owned(), |v| fixed(v, 2)), class)
+    let below = [
+        words("Level"),
+        figure("z/H"),
+        figure("median PFA (g)"),
+        figure("histories"),
+        figure("failed"),
+        figure("uplift"),
+        figure("overturned"),
+        figure("overturned by half of the motions"),
+        words("largest median").class("n first"),
+        figure("largest"),
+        words("largest median").class("n first"),
+        figure("largest"),
+    ];
+    let shock = |value: Option<f64>| or_dash(value, |value| fixed(value, 2));
+    let row = |level: &LevelSummary| -> [Cell; 12] {
+        [
+            words(&level.level),
+            or_dash(level.level_ratio, |ratio| number(ratio, 3)),
+            or_dash(level.pfa_g_median, |pfa_g| fixed(pfa_g, 3)),
+            figure(level.histories),
+            figure(level.failed),
+            figure(percent(level.uplift_share, 1)),
+            figure(percent(level.overturned_share, 1)),
+            figure(level.overturned_objects),
+            shock(level.edge_acceleration_g_median).class("n first"),
+            shock(level.edge_acceleration_g_max),
+            shock(level.edge_acceleration_impact_velocity_g_median).class("n first"),
+            shock(level.edge_acceleration_impact_velocity_g_max),
+        ]
     };
-    let rows: Vec<_> = levels
-        .iter()
-        .map(|level| {
-            vec![
-                words(&level.level),
-                or_dash(level.level_ratio, |ratio| number(ratio, 3)),
-                or_dash(level.pfa_g_median, |pfa_g| fixed(pfa_g, 3)),
-                figure(level.histories.to_string()),
-                figure(level.failed.to_string()),
-                figure(percent(level.uplift_share, 1)),
-                figure(percent(level.overturned_share, 1)),
-                figure(level.overturned_objects.to_string()),
-                shock(level.edge_acceleration_g_median, "n first"),
-                shock(level.edge_acceleration_g_max, "n"),
-                shock(level.edge_acceleration_impact_velocity_g_median, "n first"),
-                shock(level.edge_acceleration_impact_velocity_g_max, "n"),
-            ]
-        })
-        .collect();
-    let mut html = classed_table("glance", "Summary of each level", &headings, &rows);
-    html += &paragraph(
-        "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
-         the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
-         of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
-         the two sources of the energy at impact; the paper uses the uplift.",
-    );
-    html
+    html! {
+        (classed_table("glance", "Summary of each level", &[&top, &below], levels.iter().map(row)))
+        p {
+            "Shares refer to all histories (object × motion) except those that failed. Overturned by half of \
+             the motions: objects that half or more of them overturn. Largest median: the largest median over the motions \
+             of any other object. Largest: the largest value of any history without overturning. Uplift and velocity are \
+             the two sources of the energy at impact; the paper uses the uplift."
+        }
+    }
 }
 
-fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
+fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> Markup {
     let Some(tolerance_m_s2) = study.objects.tolerance_m_s2 else {
-        return String::new();
+        return Markup::default();
     };
     let tolerance_g = tolerance_m_s2 / freestand::G0_M_S2;
     let objects = study.objects.blocks.len();
@@ -244,16 +233,17 @@ fn tolerance_words(study: &Study, levels: &[LevelSummary]) -> String {
             ))
         })
         .collect();
-    paragraph(&format!(
-        "Objects whose median shock (the larger of the two sources) exceeds the tolerance of {} g, or that half or \
-         more of the motions overturn: {}. The tables mark them with ▲.",
-        number(tolerance_g, 3),
-        counts.join("; ")
-    ))
+    html! {
+        p {
+            "Objects whose median shock (the larger of the two sources) exceeds the tolerance of "
+            (number(tolerance_g, 3)) " g, or that half or more of the motions overturn: " (counts.join("; "))
+            ". The tables mark them with ▲."
+        }
+    }
 }
 
 /// Reasons for failed histories, with their counts.
-fn failures(result: &StudyResult) -> String {
+fn failures(result: &StudyResult) -> Markup {
     let mut reasons: Vec<(&str, usize)> = Vec::new();
     for response in result
         .levels
@@ -268,24 +258,17 @@ fn failures(result: &StudyResult) -> String {
         }
     }
     if reasons.is_empty() {
-        return String::new();
+        return Markup::default();
     }
     reasons.sort_by_key(|&(_, count)| std::cmp::Reverse(count));
     let more = reasons.len().saturating_sub(MAX_REASONS);
-    let rows: Vec<_> = reasons
-        .iter()
-        .take(MAX_REASONS)
-        .map(|(reason, count)| vec![words(reason), figure(count.to_string())])
-        .collect();
-    let mut html = table(
-        "Histories that failed",
-        &[vec![words("Reason"), figure("Histories")]],
-        &rows,
-    );
-    if more > 0 {
-        html += &paragraph(&format!("Other reasons: {more}. srs.csv lists all."));
+    let headings = [words("Reason"), figure("Histories")];
+    let first = reasons.iter().take(MAX_REASONS);
+    let rows = first.map(|(reason, count)| [words(reason), figure(count)]);
+    html! {
+        (table("Histories that failed", &headings, rows))
+        @if more > 0 { p { "Other reasons: " (more) ". srs.csv lists all." } }
     }
-    html
 }
 
 const MAX_REASONS: usize = 12;

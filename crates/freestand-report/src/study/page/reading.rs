@@ -8,15 +8,11 @@ use freestand_study::result::{LevelResult, StudyResult};
 use freestand_study::study::{Ground, Study};
 use freestand_study::summary::level_summary;
 
-use freestand_output::html::{Cell, heading, list, markup, paragraph, table, words};
+use freestand_output::html::{list, table, words};
+use maud::{Markup, PreEscaped, html};
 
 /// The paper's numbers next to those of this study.
-pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
-    let mut html = paragraph(
-        "The paper: H. Al Abadi, J. Petrolito, N. Lam and E. Gad, “Shock Induced Damage onto Free-Standing Objects \
-         in an Earthquake”, Section V and Fig. 7: objects of 150 kg on 4380 N/mm in a generic 30-storey building, in \
-         a synthetic 500-year Melbourne earthquake on site class D.",
-    );
+pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> Markup {
     let at = |wanted: f64| {
         result.levels.iter().find(|level| {
             level
@@ -25,35 +21,35 @@ pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> String {
                 .is_some_and(|ratio| (ratio - wanted).abs() < 0.02)
         })
     };
-    let rows: Vec<Vec<Cell>> = [
-        ("Shock at mid-height", "about 3.5 g", shock_words(at(0.5))),
-        ("Shock at the roof", "up to 5 g", shock_words(at(1.0))),
-        (
+    let rows = [
+        ["Shock at mid-height", "about 3.5 g", &shock_words(at(0.5))],
+        ["Shock at the roof", "up to 5 g", &shock_words(at(1.0))],
+        [
             "Objects 200 mm thick and higher than 1.5 m at the roof",
             "overturn",
-            overturned_words(at(1.0)),
-        ),
+            &overturned_words(at(1.0)),
+        ],
     ]
-    .into_iter()
-    .map(|(what, paper, here)| vec![words(what), words(paper), words(&here)])
-    .collect();
-    html += &table(
-        "",
-        &[vec![words(""), words("Paper"), words("This study")]],
-        &rows,
-    );
-    if !is_the_papers_case(study) {
-        html += &paragraph(
-            "The ground, objects or cushion of this study differ from the paper’s: compare the two columns only by \
-             their order of magnitude.",
-        );
+    .map(|row| row.map(words));
+    html! {
+        p {
+            "The paper: H. Al Abadi, J. Petrolito, N. Lam and E. Gad, “Shock Induced Damage onto Free-Standing Objects \
+             in an Earthquake”, Section V and Fig. 7: objects of 150 kg on 4380 N/mm in a generic 30-storey building, in \
+             a synthetic 500-year Melbourne earthquake on site class D."
+        }
+        (table("", &["", "Paper", "This study"].map(words), rows))
+        @if !is_the_papers_case(study) {
+            p {
+                "The ground, objects or cushion of this study differ from the paper’s: compare the two columns only by \
+                 their order of magnitude."
+            }
+        }
+        p {
+            "The paper shows the result of one motion, but states neither the motion nor the period, damping and modes \
+             of the building, so that its curves cannot be reproduced exactly. The shock of one object differs between \
+             motions by a factor of two and more: compare bands, not lines."
+        }
     }
-    html += &paragraph(
-        "The paper shows the result of one motion, but states neither the motion nor the period, damping and modes \
-         of the building, so that its curves cannot be reproduced exactly. The shock of one object differs between \
-         motions by a factor of two and more: compare bands, not lines.",
-    );
-    html
 }
 
 fn is_the_papers_case(study: &Study) -> bool {
@@ -130,7 +126,7 @@ fn overturned_words(level: Option<&LevelResult>) -> String {
 }
 
 /// The assumptions.
-pub(super) fn assumptions(study: &Study) -> String {
+pub(super) fn assumptions(study: &Study) -> Markup {
     let mut items = vec![
         if study.directions_deg.len() > 1 {
             "Each object is a rigid, uniform rectangular block on two edges that rocks about one horizontal axis. \
@@ -202,83 +198,108 @@ pub(super) fn assumptions(study: &Study) -> String {
     list(&items)
 }
 
+/// As text, because a report is XML as well: `maud` leaves out the slash that XML needs.
+const BREAK: PreEscaped<&str> = PreEscaped("<br />");
+
 /// Symbols, equations, percentiles.
-pub(super) fn definitions() -> String {
-    let mut html = heading("Motion");
-    html += &paragraph(
-        "t, h: thickness (width in the plane of the motion) and height; R = ½√(h² + t²): from a pivot edge to the \
-         centre of gravity; α = atan(t/h): the slenderness angle, at which the block balances on its edge; p = \
-         √(3g/4R); s = sign of θ; ü: acceleration of the floor.",
-    );
-    html += &equation(
-        "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| &gt; g t/h<br />\
-         ω<sup>+</sup> = r ω<sup>−</sup> at θ = 0; Housner: r = 1 − (3/2) sin²α, unless the inputs give another",
-    );
-    html += &paragraph(
-        "Overturned: |θ| reaches π/2. An object that has passed α has not overturned yet: the motion can bring it \
-         back.",
-    );
-    html += &equation(
-        "uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]",
-    );
-    html += &heading("Shock");
-    html += &paragraph(
-        "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
-         impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The shock is \
-         the peak acceleration of the edge that lands.",
-    );
-    html += &equation(
-        "a = √(2 k g Δh / m) (7)<br />R<sub>D</sub> = 1 − ⅜ (d/R)² (6)<br />\
-         a<sub>edge</sub> = ¾ (1 − R<sub>D</sub>²)<sup>−½</sup> (d/R)² a (5)",
-    );
-    html += &paragraph(
-        "For (d/R)² > 8/3 (h/t < 0.707) an object cannot rock through an impact; the landing is halted:",
-    );
-    html += &equation("a<sub>edge</sub> = ¾ (d/R)² a (8)");
-    html += &paragraph(
-        "Source “uplift” (the paper’s): Δh is the largest rise over the history. Source “velocity”: Δh = I₀ω²/(2mg) \
-         from the largest angular velocity ω just before an impact, I₀ = (4/3) m R². Uplift ceiling: the shock at Δh \
-         = R (1 − cos α), the balance point; the uplift source cannot exceed it, the velocity source can, by up to \
-         about half.",
-    );
-    html += &heading("Statistics");
-    html += &paragraph(
-        "For each object all motions are ranked by the quantity: no uplift counts as 0, overturned as larger than \
-         any number. The 16th, 50th and 84th percentiles are read from that ranking (linearly between ranks \
-         (n − 1)q); one that falls among the overturned is “overturned”. A mean without the overturned histories \
-         is not used: it would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak \
-         ground acceleration; ZPA: value of the target spectrum at zero period.",
-    );
-    html
+pub(super) fn definitions() -> Markup {
+    html! {
+        h3 { "Motion" }
+        p {
+            "t, h: thickness (width in the plane of the motion) and height; R = ½√(h² + t²): from a pivot edge to the \
+             centre of gravity; α = atan(t/h): the slenderness angle, at which the block balances on its edge; p = \
+             √(3g/4R); s = sign of θ; ü: acceleration of the floor."
+        }
+        p.eq {
+            "θ̈ = −p² [ sin(sα − θ) + (ü/g) cos(sα − θ) ], uplift where |ü| > g t/h" (BREAK)
+            "ω" sup { "+" } " = r ω" sup { "−" }
+            " at θ = 0; Housner: r = 1 − (3/2) sin²α, unless the inputs give another"
+        }
+        p {
+            "Overturned: |θ| reaches π/2. An object that has passed α has not overturned yet: the motion can bring it \
+             back."
+        }
+        p.eq { "uplift δ = t sin|θ|; rise of the centre of gravity Δh = R [cos(α − |θ|) − cos α]" }
+        h3 { "Shock" }
+        p {
+            "m: mass; k: dynamic stiffness of all the cushion under one edge; d: from the pivot edge to the point of \
+             impact, t for rocking; a: peak acceleration of the mass m dropped by Δh onto the cushion. The shock is \
+             the peak acceleration of the edge that lands."
+        }
+        p.eq {
+            "a = √(2 k g Δh / m) (7)" (BREAK)
+            (r_d()) " = 1 − ⅜ (d/R)² (6)" (BREAK)
+            (a_edge()) " = ¾ (1 − " (r_d()) "²)" sup { "−½" } " (d/R)² a (5)"
+        }
+        p { "For (d/R)² > 8/3 (h/t < 0.707) an object cannot rock through an impact; the landing is halted:" }
+        p.eq { (a_edge()) " = ¾ (d/R)² a (8)" }
+        p {
+            "Source “uplift” (the paper’s): Δh is the largest rise over the history. Source “velocity”: Δh = I₀ω²/(2mg) \
+             from the largest angular velocity ω just before an impact, I₀ = (4/3) m R². Uplift ceiling: the shock at Δh \
+             = R (1 − cos α), the balance point; the uplift source cannot exceed it, the velocity source can, by up to \
+             about half."
+        }
+        h3 { "Statistics" }
+        p {
+            "For each object all motions are ranked by the quantity: no uplift counts as 0, overturned as larger than \
+             any number. The 16th, 50th and 84th percentiles are read from that ranking (linearly between ranks \
+             (n − 1)q); one that falls among the overturned is “overturned”. A mean without the overturned histories \
+             is not used: it would decrease where objects begin to overturn. PFA: peak floor acceleration; PGA: peak \
+             ground acceleration; ZPA: value of the target spectrum at zero period."
+        }
+    }
 }
 
-fn equation(html: &str) -> String {
-    format!("<p class=\"eq\">{html}</p>\n")
+fn r_d() -> Markup {
+    html! { "R" sub { "D" } }
+}
+
+fn a_edge() -> Markup {
+    html! { "a" sub { "edge" } }
 }
 
 /// The misprints that matter here.
-pub(super) fn errata() -> String {
-    let rows: Vec<Vec<Cell>> = [
-        ("Eq. (2)", "I₀ = ¾ m R²", "I₀ = (4/3) m R², which Eqs. (5) and (8) already use"),
-        ("R<sub>D</sub>", "before over after the impact", "after over before: θ̇₂/θ̇₁"),
-        ("below Eq. (4)", "1 − R<sub>D</sub>² is the energy retained", "it is the share lost in the impact"),
-        ("Sections IV and V", "2190 N/m, 4380 N/m", "N/mm: only then do Table I and Fig. 7 agree"),
-        ("before Eq. (8)", "cases (a) and (c)", "(a) and (b), the halted impacts"),
-        (
-            "Eq. (5)",
-            "the text leads to √(1 − R<sub>D</sub>²) in the numerator",
-            "used as printed, in the denominator: 4.5 g for the first test of Table I, where 4.0–4.1 g were measured",
-        ),
-        ("Fig. 7 (b)", "SRS at roof level", "SRS at mid-height"),
-    ]
-    .into_iter()
-    .map(|(place, printed, used)| vec![markup(place.into(), ""), markup(printed.into(), ""), markup(used.into(), "")])
-    .collect();
-    table(
-        "",
-        &[vec![words("Where"), words("Printed"), words("Used here")]],
-        &rows,
-    )
+pub(super) fn errata() -> Markup {
+    let rows = [
+        [
+            words("Eq. (2)"),
+            words("I₀ = ¾ m R²"),
+            words("I₀ = (4/3) m R², which Eqs. (5) and (8) already use"),
+        ],
+        [
+            words(r_d()),
+            words("before over after the impact"),
+            words("after over before: θ̇₂/θ̇₁"),
+        ],
+        [
+            words("below Eq. (4)"),
+            words(html! { "1 − " (r_d()) "² is the energy retained" }),
+            words("it is the share lost in the impact"),
+        ],
+        [
+            words("Sections IV and V"),
+            words("2190 N/m, 4380 N/m"),
+            words("N/mm: only then do Table I and Fig. 7 agree"),
+        ],
+        [
+            words("before Eq. (8)"),
+            words("cases (a) and (c)"),
+            words("(a) and (b), the halted impacts"),
+        ],
+        [
+            words("Eq. (5)"),
+            words(html! { "the text leads to √(1 − " (r_d()) "²) in the numerator" }),
+            words(
+                "used as printed, in the denominator: 4.5 g for the first test of Table I, where 4.0–4.1 g were measured",
+            ),
+        ],
+        [
+            words("Fig. 7 (b)"),
+            words("SRS at roof level"),
+            words("SRS at mid-height"),
+        ],
+    ];
+    table("", &["Where", "Printed", "Used here"].map(words), rows)
 }
 
 #[cfg(test)]
@@ -291,7 +312,7 @@ mod tests {
     #[test]
     fn the_building_is_called_what_it_is() {
         let mut study = crate::study::fixture::study();
-        assert!(assumptions(&study).contains("uniform over its height"));
+        assert!(assumptions(&study).0.contains("uniform over its height"));
         let damping = Damping::Uniform(0.05);
         let storey = Storey {
             mass_kg: 1e5,
@@ -316,7 +337,7 @@ mod tests {
             ),
         ] {
             study.building.as_mut().unwrap().along = building;
-            let html = assumptions(&study);
+            let html = assumptions(&study).0;
             assert!(
                 html.contains(said) && !html.contains("uniform over"),
                 "{html}"

@@ -3,59 +3,45 @@
 use crate::figures::MAX_RECORDS;
 use freestand_input::words::{fixed, number, percent};
 use freestand_output::figure::Figure;
-use freestand_output::html::escape;
+use freestand_output::html::{Cell, classed_table, drawing, figure, words};
 use freestand_study::result::{LevelResult, ObjectStatistics, Ranked, StudyResult};
 use freestand_study::study::{Ground, Study};
-
-use freestand_output::html::{Cell, classed_table, figure, heading, markup, paragraph, words};
+use maud::{Markup, html};
 
 /// Largest number of thicknesses that fit side by side on A4.
 const MAX_COLUMNS: usize = 5;
 
 /// Figures first, then the numbers.
-pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -> String {
-    let mut html = String::new();
-    for (index, figure) in figures.iter().enumerate() {
-        html += &framed(index + 1, figure);
-    }
-    html += &records_words(study);
-    html += &paragraph(&how_to_read(study));
-    for level in &result.levels {
-        html += &heading(&format!("Median shock at the level {}", level.level.name));
-        let mut thicknesses = study.objects.thicknesses_m.clone();
-        thicknesses.sort_by(f64::total_cmp);
-        for some in thicknesses.chunks(MAX_COLUMNS) {
-            html += &level_table(study, level, some);
+pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -> Markup {
+    let mut thicknesses = study.objects.thicknesses_m.clone();
+    thicknesses.sort_by(f64::total_cmp);
+    html! {
+        @for (i, figure) in figures.iter().enumerate() {
+            figure id={ "figure-" (figure.name) } {
+                (drawing(figure))
+                figcaption { strong { "Figure " (i + 1) ". " (figure.title) "." } " " (figure.caption) }
+            }
+        }
+        (records_words(study))
+        p { (how_to_read(study)) }
+        @for level in &result.levels {
+            h3 { "Median shock at the level " (level.level.name) }
+            @for some in thicknesses.chunks(MAX_COLUMNS) { (level_table(study, level, some)) }
         }
     }
-    html
 }
 
 /// Which of the recorded motions were drawn, if not all.
-fn records_words(study: &Study) -> String {
-    match &study.ground {
-        Ground::Recorded(records) if records.len() > MAX_RECORDS => paragraph(&format!(
-            "Figures show the first {MAX_RECORDS} of the {} recorded ground motions; the command motion info can \
-             plot the others.",
-            records.len()
-        )),
-        _ => String::new(),
+fn records_words(study: &Study) -> Markup {
+    html! {
+        @match &study.ground {
+            Ground::Recorded(records) if records.len() > MAX_RECORDS => p {
+                "Figures show the first " (MAX_RECORDS) " of the " (records.len())
+                " recorded ground motions; the command motion info can plot the others."
+            },
+            _ => {}
+        }
     }
-}
-
-fn framed(number: usize, figure: &Figure) -> String {
-    let label = format!(
-        "<svg role=\"img\" aria-label=\"{}\" ",
-        escape(&figure.title)
-    );
-    format!(
-        "<figure id=\"figure-{name}\">\n<div class=\"scroll\" tabindex=\"0\">{svg}</div>\n<figcaption><strong>Figure \
-         {number}. {title}.</strong> {caption}</figcaption>\n</figure>\n",
-        name = figure.name,
-        svg = figure.svg.replacen("<svg ", &label, 1),
-        title = escape(&figure.title),
-        caption = escape(&figure.caption),
-    )
 }
 
 fn how_to_read(study: &Study) -> String {
@@ -76,12 +62,13 @@ fn how_to_read(study: &Study) -> String {
     text
 }
 
-fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> String {
+fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Markup {
     let mut top = vec![words("")];
     let mut below = vec![figure("h (m)")];
     for &t in thicknesses {
-        top.push(markup(escape(&format!("t = {} mm", number(1e3 * t, 4))), "group").over(3));
-        below.push(markup("uplift".into(), "n first"));
+        let thickness = format!("t = {} mm", number(1e3 * t, 4));
+        top.push(words(thickness).class("group").over(3));
+        below.push(words("uplift").class("n first"));
         below.push(figure("velocity"));
         below.push(figure("ov."));
     }
@@ -93,22 +80,20 @@ fn level_table(study: &Study, level: &LevelResult, thicknesses: &[f64]) -> Strin
         .max()
         .unwrap_or(0);
     let tolerance_g = study.objects.tolerance_m_s2.map(|a| a / freestand::G0_M_S2);
-    let rows: Vec<Vec<Cell>> = heights
-        .iter()
-        .map(|&h| {
-            let mut row = vec![figure(fixed(h, decimals))];
-            for &t in thicknesses {
-                let object = level
-                    .statistics
-                    .iter()
-                    .flatten()
-                    .find(|s| s.height_m == h && s.thickness_m == t);
-                row.extend(object_cells(object, tolerance_g));
-            }
-            row
-        })
-        .collect();
-    classed_table("objects", "", &[top, below], &rows)
+    let row = |&h: &f64| {
+        let mut row = vec![figure(fixed(h, decimals))];
+        for &t in thicknesses {
+            let object = level
+                .statistics
+                .iter()
+                .flatten()
+                .find(|s| s.height_m == h && s.thickness_m == t);
+            row.extend(object_cells(object, tolerance_g));
+        }
+        row
+    };
+    let headings: [&[Cell]; 2] = [&top, &below];
+    classed_table("objects", "", &headings, heights.iter().map(row))
 }
 
 /// Number of decimals.
@@ -118,42 +103,43 @@ fn decimals(number: &str) -> usize {
 
 /// Both sources and the overturned share of one object.
 fn object_cells(object: Option<&ObjectStatistics>, tolerance_g: Option<f64>) -> Vec<Cell> {
+    let failed = || vec![words("failed").class("over").over(3)];
     let Some(s) = object else {
-        return vec![markup("failed".into(), "over").over(3)];
+        return failed();
     };
     let sign = if tolerance_g.is_some_and(|tolerance| s.exceeds(tolerance)) {
         " ▲"
     } else {
         ""
     };
-    let share = markup(
-        if s.overturned_share > 0.0 {
-            percent(s.overturned_share, 0)
-        } else {
-            String::new()
-        },
-        "n share",
-    );
+    let share = if s.overturned_share > 0.0 {
+        percent(s.overturned_share, 0)
+    } else {
+        String::new()
+    };
+    let share = words(share).class("n share");
     match (
         s.edge_acceleration_g[1],
         s.edge_acceleration_impact_velocity_g[1],
     ) {
         (Ranked::Value(uplift), Ranked::Value(velocity)) => {
             let larger = uplift.max(velocity);
-            let cell = |value: f64, class| {
-                let text = shock(value);
-                let sign = if value == larger { sign } else { "" };
-                let html = if value == larger && value > 0.0 {
-                    format!("<strong>{}</strong>{sign}", escape(&text))
-                } else {
-                    escape(&text)
-                };
-                markup(html, class)
+            let cell = |value: f64| {
+                figure(html! {
+                    @if value == larger && value > 0.0 {
+                        strong { (shock(value)) } (sign)
+                    } @else {
+                        (shock(value))
+                    }
+                })
             };
-            vec![cell(uplift, "n first"), cell(velocity, "n"), share]
+            vec![cell(uplift).class("n first"), cell(velocity), share]
         }
-        (Ranked::NoData, _) | (_, Ranked::NoData) => vec![markup("failed".into(), "over").over(3)],
-        _ => vec![markup(format!("overturned{sign}"), "over").over(2), share],
+        (Ranked::NoData, _) | (_, Ranked::NoData) => failed(),
+        _ => {
+            let overturned = words(format!("overturned{sign}"));
+            vec![overturned.class("over").over(2), share]
+        }
     }
 }
 

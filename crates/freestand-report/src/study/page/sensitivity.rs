@@ -8,18 +8,14 @@ use freestand_study::result::VariedLevel;
 use super::super::sensitivity::joined_doubts;
 use super::{headings, or_dash};
 use crate::doubts::{no_result, not_varied};
-use freestand_output::html::{Cell, classed_table, list, paragraph, words};
+use freestand_output::html::{Cell, classed_table, list, words};
+use maud::{Markup, html};
 
 /// A table for each level; empty where nothing was varied.
-pub(super) fn sensitivity(result: &StudyResult) -> String {
+pub(super) fn sensitivity(result: &StudyResult) -> Markup {
     let Some(sensitivity) = &result.sensitivity else {
-        return String::new();
+        return Markup::default();
     };
-    let mut html = paragraph(
-        "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
-         by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
-         left out. The largest median belongs to one object and decreases when that object begins to overturn.",
-    );
     let headings = headings(
         ["Changed"],
         [
@@ -32,16 +28,11 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
             "objects compared",
         ],
     );
-    for level in &result.levels {
-        let name = &level.level.name;
-        let rows: Vec<Vec<Cell>> = sensitivity
-            .rows
-            .iter()
-            .filter(|row| row.level == *name)
-            .map(row)
-            .collect();
-        html += &classed_table("glance", &format!("Level {name}"), &headings, &rows);
-    }
+    let level_table = |level: &str| {
+        let rows = sensitivity.rows.iter().filter(|row| row.level == level);
+        let caption = format!("Level {level}");
+        classed_table("glance", &caption, &[&headings], rows.map(row))
+    };
     let mut remarks: Vec<String> = Vec::new();
     // A remark belongs to a variation, not to a level: it is printed once.
     for remark in sensitivity.rows.iter().filter_map(remark) {
@@ -50,11 +41,15 @@ pub(super) fn sensitivity(result: &StudyResult) -> String {
         }
     }
     remarks.extend(sensitivity.left_out.iter().map(not_varied));
-    if !remarks.is_empty() {
-        let shown = remarks.iter().map(|one| KeyStyle::Flag.shown(one));
-        html += &list(&shown.collect::<Vec<_>>());
+    html! {
+        p {
+            "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
+             by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
+             left out. The largest median belongs to one object and decreases when that object begins to overturn."
+        }
+        @for level in &result.levels { (level_table(&level.level.name)) }
+        @if !remarks.is_empty() { (list(remarks.iter().map(|one| KeyStyle::Flag.shown(one)))) }
     }
-    html
 }
 
 /// Why there is no result, or the additional warnings of this change.
@@ -67,15 +62,15 @@ fn remark(row: &VariedLevel) -> Option<String> {
     Some(format!("{}: {why}", row.words()))
 }
 
-fn row(row: &VariedLevel) -> Vec<Cell> {
+fn row(row: &VariedLevel) -> [Cell; 8] {
     let value = |value: Option<f64>, digits| or_dash(value, |v| fixed(v, digits));
     let changed = if row.value.is_empty() {
         "unchanged".to_owned()
     } else {
         row.words()
     };
-    vec![
-        words(&changed),
+    [
+        words(changed),
         value(row.pfa_g_median, 3),
         or_dash(row.overturned_share, |share| percent(share, 1)),
         or_dash(row.overturned_objects, |n| n.to_string()),
