@@ -42,12 +42,26 @@ pub fn opening(title: &str, subtitle: &str, css: &str) -> Markup {
     }
 }
 
-/// As text, because a report is XML as well: `maud` writes elements without an end without the slash
-/// that XML needs.
+// `maud` writes elements without an end as HTML does. A report is XML as well, which needs a slash in
+// them, so they are written here.
+
 const META: PreEscaped<&str> = PreEscaped(
     "<meta charset=\"utf-8\" />\
      <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />",
 );
+
+/// The end of a line.
+pub const BREAK: PreEscaped<&str> = PreEscaped("<br />");
+
+/// A box to tick.
+pub fn checkbox(id: &'static str, is_checked: bool) -> Markup {
+    let checked = if is_checked {
+        " checked=\"checked\""
+    } else {
+        ""
+    };
+    PreEscaped(format!("<input type=\"checkbox\" id=\"{id}\"{checked} />"))
+}
 
 /// The end of a report that [`opening`] began.
 pub const CLOSING: PreEscaped<&str> = PreEscaped("</main></body></html>\n");

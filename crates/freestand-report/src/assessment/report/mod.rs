@@ -71,10 +71,11 @@ impl<'p> Report<'p> {
             env!("CARGO_PKG_VERSION")
         );
         let css = format!("{SIGNATURE_CSS}{CSS}");
-        let summary = summary::summary(head, overview, self.max_pages, wanted);
-        let before = html! { (opening(TITLE, &subtitle, &css)) (summary) };
-        let pages = self.pages.into_values();
-        for piece in [before].into_iter().chain(pages) {
+        let before = [
+            opening(TITLE, &subtitle, &css),
+            summary::summary(head, overview, self.max_pages, wanted),
+        ];
+        for piece in before.into_iter().chain(self.pages.into_values()) {
             file.write(written(piece).as_bytes())?;
         }
         file.write(CLOSING.0.as_bytes())?;

@@ -17,9 +17,9 @@ use crate::signature::{Signing, signature};
 use freestand_assess::result::{Criterion, Decision};
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, significant};
-use freestand_output::html::{Cell, figure, list, properties, table, words as text};
+use freestand_output::html::{Cell, checkbox, figure, list, properties, table, words as text};
 use freestand_risk::budget::BudgetPlan;
-use maud::{Markup, PreEscaped, Render, html};
+use maud::{Markup, Render, html};
 
 use super::drawing::stacked_bar;
 use super::{anchor, name, words};
@@ -168,23 +168,14 @@ fn title_block(head: &Head, recalled: &[String], signing: Signing) -> Markup {
     }
 }
 
-/// As text, because a report is XML as well: `maud` leaves out the slash that XML needs.
-const PRINT_LISTS: PreEscaped<&str> = PreEscaped("<input type=\"checkbox\" id=\"print-lists\"/>");
-const PRINT_CARDS: PreEscaped<&str> = PreEscaped("<input type=\"checkbox\" id=\"print-cards\"/>");
-const CARDS_PRINTED: PreEscaped<&str> =
-    PreEscaped("<input type=\"checkbox\" id=\"print-cards\" checked=\"checked\"/>");
-
 /// The boxes by which a reader chooses whether the long lists and the cards of the objects, if it has any, are printed.
 fn print_choices(head: &Head, pages: usize) -> Markup {
-    let cards = if head.cards {
-        CARDS_PRINTED
-    } else {
-        PRINT_CARDS
-    };
     html! {
         p.choice {
-            label { (PRINT_LISTS) " Print the long lists too" }
-            @if pages > 0 { " " label { (cards) " Print the cards of the objects too" } }
+            label { (checkbox("print-lists", false)) " Print the long lists too" }
+            @if pages > 0 {
+                " " label { (checkbox("print-cards", head.cards)) " Print the cards of the objects too" }
+            }
         }
     }
 }
@@ -447,7 +438,7 @@ fn decision_headings(mut first: Vec<Cell>) -> Vec<Cell> {
 fn decision_cells(counts: &Counts, largest: usize) -> Vec<Cell> {
     let mut cells: Vec<Cell> = Decision::ALL
         .into_iter()
-        .map(|decision| figure(counts.of(decision).to_string()))
+        .map(|decision| figure(counts.of(decision)))
         .collect();
     cells.push(text(stacked_bar(counts, largest)).class("bar"));
     cells
@@ -517,11 +508,7 @@ fn consequences(overview: &Overview) -> Markup {
             .zip(RATINGS)
             .filter(|(counts, _)| counts.total() > 0)
         {
-            let mut cells = vec![
-                text(consequence.name),
-                text(rating),
-                figure(counts.total().to_string()),
-            ];
+            let mut cells = vec![text(consequence.name), text(rating), figure(counts.total())];
             cells.extend(decision_cells(counts, largest));
             rows.push(cells);
         }

@@ -118,7 +118,7 @@ fn it_is_signed_and_its_cards_are_printed_on_request() {
     };
     assert!(
         listed(true).contains("id=\"print-cards\" checked")
-            && listed(false).contains("id=\"print-cards\"/>")
+            && listed(false).contains("id=\"print-cards\" />")
     );
     assert!(CSS.contains("main:not(:has(#print-cards:checked)) .object { display: none; }"));
 }

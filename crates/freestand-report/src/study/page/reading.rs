@@ -8,8 +8,8 @@ use freestand_study::result::{LevelResult, StudyResult};
 use freestand_study::study::{Ground, Study};
 use freestand_study::summary::level_summary;
 
-use freestand_output::html::{list, table, words};
-use maud::{Markup, PreEscaped, html};
+use freestand_output::html::{BREAK, list, table, words};
+use maud::{Markup, html};
 
 /// The paper's numbers next to those of this study.
 pub(super) fn beside_the_paper(study: &Study, result: &StudyResult) -> Markup {
@@ -197,9 +197,6 @@ pub(super) fn assumptions(study: &Study) -> Markup {
     items.extend(assumed.iter().map(String::as_str));
     list(&items)
 }
-
-/// As text, because a report is XML as well: `maud` leaves out the slash that XML needs.
-const BREAK: PreEscaped<&str> = PreEscaped("<br />");
 
 /// Symbols, equations, percentiles.
 pub(super) fn definitions() -> Markup {

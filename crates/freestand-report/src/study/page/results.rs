@@ -22,24 +22,16 @@ pub(super) fn results(study: &Study, result: &StudyResult, figures: &[Figure]) -
                 figcaption { strong { "Figure " (i + 1) ". " (figure.title) "." } " " (figure.caption) }
             }
         }
-        (records_words(study))
+        @if let Ground::Recorded(records) = &study.ground && records.len() > MAX_RECORDS {
+            p {
+                "Figures show the first " (MAX_RECORDS) " of the " (records.len())
+                " recorded ground motions; the command motion info can plot the others."
+            }
+        }
         p { (how_to_read(study)) }
         @for level in &result.levels {
             h3 { "Median shock at the level " (level.level.name) }
             @for some in thicknesses.chunks(MAX_COLUMNS) { (level_table(study, level, some)) }
-        }
-    }
-}
-
-/// Which of the recorded motions were drawn, if not all.
-fn records_words(study: &Study) -> Markup {
-    html! {
-        @match &study.ground {
-            Ground::Recorded(records) if records.len() > MAX_RECORDS => p {
-                "Figures show the first " (MAX_RECORDS) " of the " (records.len())
-                " recorded ground motions; the command motion info can plot the others."
-            },
-            _ => {}
         }
     }
 }
