@@ -34,6 +34,9 @@ const SAME_LEVEL: f64 = 5e-3;
 /// Ground motions that are kept in memory, and as many floors: 1280 worlds of two components of 45 s take 190 MB.
 const MAX_KEPT: usize = 1536;
 
+/// Floors whose peaks are kept: 40 bytes each.
+const MAX_PEAKS: usize = 1 << 18;
+
 /// The motions of worlds, kept from one request to the next: whoever moves a slider asks about many
 /// objects on one floor. It keeps those of the last few grounds and buildings.
 #[derive(Default)]
@@ -99,6 +102,8 @@ pub struct Worlds<'a> {
     on_disk: Option<Arc<KeptMotions>>,
     /// Floors at the intensity of the study; `None`: they are not kept.
     floors: Option<Arc<Mutex<KeptFloors>>>,
+    /// The peaks of floors that were made, likewise.
+    peaks: Arc<Mutex<HashMap<(u32, u64), FloorPeaks>>>,
 }
 
 /// Ground motions by the number of their world, and how often they were drawn again.
@@ -236,6 +241,24 @@ impl FloorOfWorld {
     }
 }
 
+/// Peak accelerations of a floor in a world.
+#[derive(Debug, Clone, Copy)]
+pub struct FloorPeaks {
+    /// Of its first horizontal component \[m/s²\].
+    pub along_m_s2: f64,
+    /// Of its second one, if it has one \[m/s²\].
+    pub across_m_s2: Option<f64>,
+}
+
+impl FloorPeaks {
+    fn of(motion: &HorizontalMotion) -> Self {
+        Self {
+            along_m_s2: motion.along.peak_m_s2(),
+            across_m_s2: motion.across.as_ref().map(Motion::peak_m_s2),
+        }
+    }
+}
+
 /// What a building is in a world, at the first axis.
 #[derive(Debug, Clone, Copy)]
 pub struct BuildingOfWorld {
@@ -320,6 +343,7 @@ impl<'a> Worlds<'a> {
             kept: Arc::default(),
             on_disk: None,
             floors: None,
+            peaks: Arc::default(),
         })
     }
 
@@ -356,12 +380,15 @@ impl<'a> Worlds<'a> {
         again: Again,
         building: Option<BuildingDraw>,
     ) -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
-        let make = || -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
-            let made = self.floors_of_world(world, levels_ratio, again, building)?;
-            Ok(made.into_iter().map(Arc::new).collect())
-        };
         let is_plain =
             again == Again::default() && building.is_none() && self.intensity_ratio == 1.0;
+        let make = || -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
+            let made = self.floors_of_world(world, levels_ratio, again, building)?;
+            if is_plain {
+                self.keep_peaks(world, levels_ratio, &made);
+            }
+            Ok(made.into_iter().map(Arc::new).collect())
+        };
         let Some(floors) = self.floors.as_ref().filter(|_| is_plain) else {
             return make();
         };
@@ -383,6 +410,44 @@ impl<'a> Worlds<'a> {
         }
         floors.extend(levels_ratio.iter().map(key).zip(made.iter().cloned()));
         Ok(made)
+    }
+
+    fn keep_peaks(&self, world: u32, levels_ratio: &[f64], floors: &[FloorOfWorld]) {
+        let mut peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
+        let room = MAX_PEAKS.saturating_sub(peaks.len());
+        let made = levels_ratio.iter().zip(floors).take(room);
+        peaks.extend(made.map(|(level_ratio, floor)| {
+            let key = (world, level_ratio.to_bits());
+            (key, FloorPeaks::of(&floor.motion))
+        }));
+    }
+
+    /// The peaks of some floors in one world at the intensity of the study: only floors that were not made before
+    /// are made.
+    pub fn floor_peaks(
+        &self,
+        world: u32,
+        levels_ratio: &[f64],
+    ) -> Result<Vec<FloorPeaks>, Problems> {
+        let known: Vec<Option<FloorPeaks>> = {
+            let peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
+            let of = |level_ratio: &f64| peaks.get(&(world, level_ratio.to_bits())).copied();
+            levels_ratio.iter().map(of).collect()
+        };
+        let both = levels_ratio.iter().zip(&known);
+        let unknown: Vec<f64> = both
+            .filter(|(_, known)| known.is_none())
+            .map(|(level_ratio, _)| *level_ratio)
+            .collect();
+        let made = match unknown.is_empty() {
+            true => Vec::new(),
+            false => self.floors_of_world(world, &unknown, Again::default(), None)?,
+        };
+        let mut made = made.iter().map(|floor| FloorPeaks::of(&floor.motion));
+        Ok(known
+            .iter()
+            .filter_map(|known| known.or_else(|| made.next()))
+            .collect())
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
@@ -437,6 +502,7 @@ impl<'a> Worlds<'a> {
             kept: Arc::clone(&self.kept),
             on_disk: self.on_disk.clone(),
             floors: self.floors.clone(),
+            peaks: Arc::clone(&self.peaks),
         }
     }
 

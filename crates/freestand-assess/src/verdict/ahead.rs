@@ -1,6 +1,7 @@
 //! What the worlds of a part say so far, and what its objects still need, for those who watch.
 
 use freestand::decision::{Count, Side};
+use rayon::prelude::*;
 
 use crate::result::Probability;
 
@@ -23,25 +24,16 @@ const FLOORS_AGAIN: f64 = 5.0;
 /// Tells what is known of objects, and what they still need.
 pub(super) fn tell(context: &Context, trials: &[Trial]) {
     let Some(watch) = context.watch else { return };
-    let settled = trials.iter().map(|trial| settled_questions(context, trial));
-    let expected: Vec<u32> = trials
-        .iter()
-        .map(|trial| expected_worlds(context, trial))
+    // Each reads a dozen intervals.
+    let ahead: Vec<Ahead> = trials
+        .par_iter()
+        .map(|trial| Ahead::of(context, trial))
         .collect();
-    let lives: Vec<Lives> = trials
-        .iter()
-        .zip(&expected)
-        .map(|(trial, &worlds)| Lives::ahead(context, trial, worlds))
-        .collect();
-    let of_objects: f64 = trials
-        .iter()
-        .zip(&lives)
-        .map(|(trial, lives)| lives.effort(context, trial))
-        .sum();
+    let of_objects: f64 = ahead.iter().map(|one| one.effort).sum();
     // Those who live together share their floors.
-    let most = |of: fn(&Lives) -> f64| lives.iter().map(of).fold(0.0, f64::max);
+    let most = |of: fn(&Lives) -> f64| ahead.iter().map(|one| of(&one.lives)).fold(0.0, f64::max);
     let now = trials.iter().map(Trial::worlds).max().unwrap_or(0);
-    let last = expected.iter().copied().max().unwrap_or(0);
+    let last = ahead.iter().map(|one| one.worlds).max().unwrap_or(0);
     let worlds = f64::from(last.saturating_sub(now))
         + most(|lives| lives.on_softer)
         + most(|lives| lives.before_walls)
@@ -59,11 +51,34 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
     levels.sort_unstable();
     levels.dedup();
     let of_floors = worlds * (GROUND + FLOOR * levels.len() as u64) as f64;
-    let estimates: Vec<Estimate> = trials
-        .iter()
-        .map(|trial| estimate(context, trial))
-        .collect();
-    watch.looked(settled.sum(), (of_objects + of_floors) as u64, &estimates);
+    let settled = ahead.iter().map(|one| one.settled).sum();
+    let estimates: Vec<Estimate> = ahead.into_iter().map(|one| one.estimate).collect();
+    watch.looked(settled, (of_objects + of_floors) as u64, &estimates);
+}
+
+/// What is known of an object, and what it still needs.
+struct Ahead<'a> {
+    /// Questions that are settled.
+    settled: usize,
+    /// Worlds after which it is settled.
+    worlds: u32,
+    lives: Lives,
+    effort: f64,
+    estimate: Estimate<'a>,
+}
+
+impl<'a> Ahead<'a> {
+    fn of(context: &Context, trial: &Trial<'a>) -> Self {
+        let worlds = expected_worlds(context, trial);
+        let lives = Lives::ahead(context, trial, worlds);
+        Self {
+            settled: settled_questions(context, trial),
+            worlds,
+            effort: lives.effort(context, trial),
+            lives,
+            estimate: estimate(context, trial),
+        }
+    }
 }
 
 fn estimate<'a>(context: &Context, trial: &Trial<'a>) -> Estimate<'a> {

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::csv::push_field;
 use super::table::Cell;
 use freestand_assess::portfolio::Lived;
-use freestand_assess::worlds::{Again, FloorOfWorld, Worlds};
+use freestand_assess::worlds::{FloorPeaks, Worlds};
 
 /// The file's name.
 pub const WORLDS_NAME: &str = "worlds.csv";
@@ -110,16 +110,17 @@ fn rows<'a>(
         pulse.map(|(pulse, _)| pulse.shape.period_s),
         pulse.map(|(_, amplitude_m_s)| amplitude_m_s),
     ];
-    let floors = worlds.floors_of_world(world, levels, Again::default(), None)?;
-    let row = |(level_ratio, floor): (&f64, &FloorOfWorld)| {
+    let floors = worlds.floor_peaks(world, levels)?;
+    let peaks = motions.map(|motion| motion.map(Motion::peak_m_s2));
+    let row = |(level_ratio, floor): (&f64, &FloorPeaks)| {
         let building = [
             building.map(|one| one.period_s),
             building.and_then(|one| one.damping_ratio),
         ];
-        let peaks = [motions, components(&floor.motion)]
+        let peaks = [peaks, [Some(floor.along_m_s2), floor.across_m_s2]]
             .concat()
             .into_iter()
-            .map(peak_g);
+            .map(|peak| peak.map(|peak_m_s2| peak_m_s2 / G0_M_S2));
         let mut cells = vec![
             Cell::Count(u64::from(world)),
             Cell::number(Some(*level_ratio)),
@@ -135,10 +136,6 @@ fn rows<'a>(
 
 fn components(motion: &HorizontalMotion) -> [Option<&Motion>; 2] {
     [Some(&motion.along), motion.across.as_ref()]
-}
-
-fn peak_g(motion: Option<&Motion>) -> Option<f64> {
-    motion.map(|motion| motion.peak_m_s2() / G0_M_S2)
 }
 
 /// Pseudo-accelerations at [`PERIODS_S`] \[g\].

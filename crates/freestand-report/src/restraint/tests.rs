@@ -1,3 +1,5 @@
+use std::collections::HashSet;
+
 use crate::signature::Signing;
 use calamine::{Data, DataType as _, Reader as _, Xlsx};
 use freestand_assess::axis::Axis;
@@ -14,7 +16,7 @@ use freestand_inventory::CellsRequest;
 use freestand_study::study::assessment::{Bracket, RestraintSettings};
 use freestand_study::target::Target;
 
-use super::force::{note, source_name};
+use super::force::{note, numbers, source_name};
 use super::words::{assumption, doubt_words, floor_words, not_held};
 use super::*;
 
@@ -274,9 +276,8 @@ fn question(target: &Target) -> RestraintQuestion {
 }
 
 /// Of every code: the cabinet, and an object of which little is known, on a flexible bracket below its centre of
-/// gravity; of one code all forces with stated factors and a bracket above the object.
-#[test]
-fn every_note() {
+/// gravity.
+fn every_question() -> Vec<RestraintQuestion> {
     let hazards: [&[(&'static str, &'static str)]; 9] = [
         &[("place", "Melbourne"), ("site", "Ce")],
         &[("code", "asce7"), ("edition", "2016"), ("sds", "1 g")],
@@ -307,11 +308,18 @@ fn every_note() {
         unknown.settings.bracket_height_m = Some(0.5);
         questions.extend([plain, unknown]);
     }
+    questions
+}
+
+/// Those, and of one code all forces with stated factors and a bracket above the object.
+#[test]
+fn every_note() {
+    let questions = every_question();
     let mut forces: Vec<_> = questions
         .iter()
         .map(|question| restraint_forces(question).remove(0))
         .collect();
-    let mut stated = question(&target(hazards[0]));
+    let mut stated = questions[0].clone();
     stated.settings = RestraintSettings {
         amplification_ratio: Some(1.4),
         response_ratio: Some(2.0),
@@ -326,4 +334,84 @@ fn every_note() {
         .iter()
         .map(|force| format!("{}\n{}\n", source_name(&force.source), note(force)));
     insta::assert_snapshot!(notes.collect::<String>());
+}
+
+/// What is left of an expression as a report prints it.
+struct Printed<'a>(std::iter::Peekable<std::str::Chars<'a>>);
+
+impl Printed<'_> {
+    fn next_is(&mut self, symbols: &[char]) -> Option<char> {
+        while self.0.next_if_eq(&' ').is_some() {}
+        self.0.next_if(|next| symbols.contains(next))
+    }
+
+    fn sum(&mut self) -> f64 {
+        let mut sum = self.product();
+        while let Some(sign) = self.next_is(&['+', '−']) {
+            let next = self.product();
+            sum += if sign == '+' { next } else { -next };
+        }
+        sum
+    }
+
+    /// A bracket after a number is a factor.
+    fn product(&mut self) -> f64 {
+        let mut product = self.factor().unwrap();
+        loop {
+            let symbol = self.next_is(&['×', '/']);
+            let Some(factor) = self.factor() else {
+                assert_eq!(symbol, None);
+                return product;
+            };
+            match symbol {
+                Some('/') => product /= factor,
+                _ => product *= factor,
+            }
+        }
+    }
+
+    fn factor(&mut self) -> Option<f64> {
+        let base = if self.next_is(&['(', '[']).is_some() {
+            let inside = self.sum();
+            self.next_is(&[')', ']']).unwrap();
+            inside
+        } else {
+            let mut digits = String::new();
+            while let Some(digit) = self.0.next_if(|c| c.is_ascii_digit() || *c == '.') {
+                digits.push(digit);
+            }
+            digits.parse().ok()?
+        };
+        Some(match self.next_is(&['²']) {
+            Some(_) => base * base,
+            None => base,
+        })
+    }
+}
+
+/// The numbers that are printed give the ratio that is calculated, so none of the factors that the formula names is
+/// missing.
+#[test]
+fn the_printed_numbers_give_the_force() {
+    let mut seen = HashSet::new();
+    let given = |question: &RestraintQuestion| RestraintQuestion {
+        is_floor_given: true,
+        ..question.clone()
+    };
+    let questions = every_question();
+    let on_given_floors: Vec<_> = questions.iter().map(given).collect();
+    for question in questions.iter().chain(&on_given_floors) {
+        for force in restraint_forces(question) {
+            let source = &force.source;
+            let printed = numbers(source);
+            let mut expression = Printed(printed.trim_end_matches(" g").chars().peekable());
+            let found = expression.sum();
+            assert_eq!(expression.0.next(), None, "{printed}");
+            // Up to six factors, each printed with three or four digits.
+            let error = found / source.part.formula_ratio - 1.0;
+            assert!(error.abs() < 6.0 * 5e-4, "{printed}: {found}, {source:?}");
+            seen.insert(source_name(source));
+        }
+    }
+    assert_eq!(seen.len(), 10, "{seen:?}");
 }

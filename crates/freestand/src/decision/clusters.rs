@@ -1,7 +1,7 @@
 //! Worlds that share records: their effective number.
 
 use super::{DecisionError, Interval, within};
-use crate::fragility::clopper_pearson;
+use crate::fragility::{lower_end, upper_end};
 
 /// The smallest correlation between the answers under one record: that of objects under recorded
 /// motions is 0.3 to 0.55, and a sample of few records may show none by chance. See the accuracy of
@@ -133,10 +133,10 @@ impl Clusters {
 
     /// The interval of Clopper and Pearson with the effective number of worlds.
     pub fn interval(self, confidence: f64) -> Interval {
-        let end = |share: f64| clopper_pearson(share * self.effective, self.effective, confidence);
+        let (share, effective) = (self.share, self.effective);
         Interval {
-            low: end(self.share).0,
-            high: end(self.share + self.unknown).1,
+            low: lower_end(share * effective, effective, confidence),
+            high: upper_end((share + self.unknown) * effective, effective, confidence),
         }
     }
 }

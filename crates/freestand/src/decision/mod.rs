@@ -39,6 +39,7 @@ pub use clusters::{Clusters, LEAST_CORRELATION_RATIO};
 pub use shares::{Share, jansen_share};
 
 pub use crate::fragility::clopper_pearson;
+use crate::fragility::{lower_end, upper_end};
 
 use thiserror::Error;
 
@@ -199,9 +200,10 @@ impl Count {
             f64::from(self.hits),
             f64::from(self.unknown),
         );
-        let (low, _) = clopper_pearson(hits, worlds, confidence);
-        let (_, high) = clopper_pearson(hits + unknown, worlds, confidence);
-        Interval { low, high }
+        Interval {
+            low: lower_end(hits, worlds, confidence),
+            high: upper_end(hits + unknown, worlds, confidence),
+        }
     }
 }
 

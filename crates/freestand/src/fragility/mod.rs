@@ -27,6 +27,7 @@ pub use incremental::{
     resurrections, scales_of_motion,
 };
 pub use interval::clopper_pearson;
+pub(crate) use interval::{lower_end, upper_end};
 pub use ordered::{Crossing, Curve, CurveKind, Fit, FitKind, fit_curves};
 pub use outcomes::{LimitState, OutcomeClass, Outcomes, OutcomesError, Run, Sampling};
 pub use quality::{Line, line_through, trend_p_value, weighted_line};
