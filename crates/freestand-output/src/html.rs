@@ -42,6 +42,9 @@ pub fn opening(title: &str, subtitle: &str, css: &str) -> Markup {
     }
 }
 
+/// The end of a report that [`opening`] began.
+pub const CLOSING: PreEscaped<&str> = PreEscaped("</main></body></html>\n");
+
 // `maud` writes elements without an end as HTML does. A report is XML as well, which needs a slash in
 // them, so they are written here.
 
@@ -62,9 +65,6 @@ pub fn checkbox(id: &'static str, is_checked: bool) -> Markup {
     };
     PreEscaped(format!("<input type=\"checkbox\" id=\"{id}\"{checked} />"))
 }
-
-/// The end of a report that [`opening`] began.
-pub const CLOSING: PreEscaped<&str> = PreEscaped("</main></body></html>\n");
 
 /// A report, or a piece of it, as it is written: without the characters that neither HTML nor XML
 /// allows. Untidy lists have them, and `maud` lets them through.
