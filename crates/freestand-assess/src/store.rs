@@ -27,9 +27,9 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
-/// Most objects of a part: what a killed run loses, a minute of a list with a fifth on pads. The objects of a part
+/// Most objects of a part: what a killed run loses, half a minute of a list with a fifth on pads. The objects of a part
 /// share the motions of their floors, and stand side by side in the kernels.
-const PART: usize = 2048;
+const PART: usize = 1024;
 
 /// Objects of a part whose histories are followed one by one, for a tenth of a second and more: some minutes.
 const SLOW_PART: usize = 4;

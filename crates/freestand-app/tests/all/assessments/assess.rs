@@ -200,9 +200,9 @@ fn vertical_motion(count: usize) {
 /// A run is stopped while the motions are generated, then twice in the second part, then finished:
 /// it writes the bytes of an undisturbed run, and computes no part twice.
 #[test]
-#[ignore = "a minute: 2056 objects, several times"]
+#[ignore = "half a minute: 1032 objects, several times"]
 fn a_run_that_was_stopped_goes_on() {
-    let (study, rows) = (study("compliant = false\npages = 3\n"), rows(2056));
+    let (study, rows) = (study("compliant = false\npages = 3\n"), rows(1032));
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
@@ -214,7 +214,7 @@ fn a_run_that_was_stopped_goes_on() {
         let parts = AtomicUsize::new(0);
         let stops = |step: Step| {
             // A part ends with as many more settled questions as it has.
-            let is_there = step.stage == Some(Stage::Objects) && step.done >= 2048 * part;
+            let is_there = step.stage == Some(Stage::Objects) && step.done >= 1024 * part;
             if is_there {
                 parts.fetch_add(1, Ordering::Relaxed);
             }
@@ -234,24 +234,24 @@ fn a_run_that_was_stopped_goes_on() {
     assert_eq!(stopped_in(0), (true, 0, 0));
     let first = stopped_in(1);
     assert!(
-        first.0 && first.1 == 0 && (1..=2048).contains(&first.2),
+        first.0 && first.1 == 0 && (1..=1024).contains(&first.2),
         "{first:?}"
     );
     let report = run(&study, &rows, &out, &go_on, &no_progress);
     assert!(!report.interrupted && report.unsettled == 0);
-    assert_eq!(report.resumed + report.computed, 2056);
+    assert_eq!(report.resumed + report.computed, 1032);
     assert_eq!(contents(&whole), contents(&out));
     assert!(!out.join("progress").exists());
     // Another run has nothing left to do.
     let report = run(&study, &rows, &out, &go_on, &no_progress);
-    assert_eq!((report.resumed, report.computed), (2056, 0));
+    assert_eq!((report.resumed, report.computed), (1032, 0));
 }
 
 /// A killed run leaves finished parts; one that is incomplete is computed again.
 #[test]
-#[ignore = "a minute: 2056 objects, twice"]
+#[ignore = "half a minute: 1032 objects, twice"]
 fn a_run_that_was_killed_goes_on() {
-    let (study, rows) = (study("compliant = false\n"), rows(2056));
+    let (study, rows) = (study("compliant = false\n"), rows(1032));
     let folder = tempfile::tempdir().unwrap();
     let (whole, out) = (folder.path().join("whole"), folder.path().join("out"));
     run(&study, &rows, &whole, &Job::default(), &no_progress);
@@ -279,8 +279,8 @@ fn a_run_that_was_killed_goes_on() {
         },
         &no_progress,
     );
-    // The finished part of 2048 objects is cut.
-    assert_eq!((report.resumed, report.computed), (0, 2056));
+    // The finished part of 1024 objects is cut.
+    assert_eq!((report.resumed, report.computed), (0, 1032));
     assert_eq!(contents(&whole), contents(&out));
 }
 
