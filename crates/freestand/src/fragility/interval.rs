@@ -20,7 +20,7 @@ const LAST_STEP_RATIO: f64 = 1e-10;
 /// the binomial", Biometrika 26.
 ///
 /// # Accuracy
-/// The ends are within 1e-15, or where that is larger, 1e-12 of their value.
+/// The ends are within 1e-12 of their value, or where that is larger, 1e-15.
 ///
 /// # Example
 /// Five of ten, 95 %: 18.7 to 81.3 %, as in the tables.
