@@ -124,7 +124,7 @@ impl<const N: usize> Step<N> {
             }
             rates(start_s + NODES[stage] * length_s, &self.end, &mut later[0]);
         }
-        let (nothing, mut error) = ([0.0; N], [0.0; N]);
+        let nothing = [0.0; N];
         weighted::<N, 7>(
             &DENSE,
             &self.slopes,
@@ -132,13 +132,25 @@ impl<const N: usize> Step<N> {
             &mut self.last,
             len,
         );
+        let mut error = [0.0; N];
         weighted::<N, 7>(&ERROR, &self.slopes, (&nothing, length_s), &mut error, len);
-        let mut sum = 0.0;
-        for i in 0..len {
-            let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
-            sum += (error[i] / (tolerance * scale)).powi(2);
+        // In blocks, so that the divisions do not wait for each other; beyond `len` the errors are 0.
+        let mut sums = [0.0; BLOCK];
+        for from in (0..len).step_by(BLOCK) {
+            let lanes = BLOCK.min(len - from);
+            let ratios: [f64; BLOCK] = std::array::from_fn(|lane| {
+                if lane >= lanes {
+                    return 0.0;
+                }
+                let i = from + lane;
+                let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
+                error[i] / (tolerance * scale)
+            });
+            for (sum, ratio) in sums.iter_mut().zip(ratios) {
+                *sum += ratio * ratio;
+            }
         }
-        (sum / len as f64).sqrt()
+        (sums.iter().sum::<f64>() / len as f64).sqrt()
     }
 
     /// The state at a share of the step.

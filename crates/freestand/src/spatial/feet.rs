@@ -4,7 +4,7 @@
 use super::element::{Element, Grip};
 use super::pose::{Flat, Pose};
 use crate::compliant::pad::Pad;
-use crate::space::{Vector, difference, sum, turned};
+use crate::space::{Vector, difference, turned};
 
 /// The feet of the only body: the first elements of a world.
 #[derive(Debug, Clone)]
@@ -59,6 +59,7 @@ impl Stuck {
 }
 
 /// What the feet that stick do to the body, in floor axes.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Push {
     pub(super) force: Vector,
     /// About the centre of gravity.
@@ -106,6 +107,7 @@ impl<'a> Feet<'a> {
 
     /// What the feet that stick do to the body: with f = f₀ + Mp + k_t a of each, Σf and
     /// Σ(Qp) × f from Σ f pᵀ.
+    #[inline(always)]
     pub(super) fn push(&self, stuck: &Stuck, pose: &Pose) -> Push {
         let [k, c] = self.linear.unwrap_or_default();
         let rising = pose.rising(self.z);
@@ -227,10 +229,4 @@ impl<'a> Feet<'a> {
         };
         self.points.iter().zip(grips).map(of).sum()
     }
-}
-
-/// The force and torque of more elements.
-pub(super) fn add(push: &Push, force: &mut Vector, torque: &mut Vector) {
-    *force = sum(force, &push.force);
-    *torque = sum(torque, &push.torque);
 }
