@@ -1,7 +1,7 @@
 //! The equations of motion of rigid bodies in space on contact elements.
 
 use super::element::{Element, Grip};
-use super::feet::{Feet, Push, Stuck};
+use super::feet::{Feet, Push, Sorted};
 use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY, vector};
 use crate::compliant::Energies;
 use crate::space::{
@@ -77,8 +77,7 @@ pub(super) struct Load {
 #[derive(Debug, Clone)]
 pub(super) struct Grips {
     each: Vec<Grip>,
-    /// The feet that stick together.
-    stuck: Stuck,
+    feet: Sorted,
     /// All other elements that carry.
     alone: Vec<usize>,
 }
@@ -87,7 +86,7 @@ impl Grips {
     pub(super) fn new(world: &World<'_>, each: Vec<Grip>) -> Self {
         let mut grips = Self {
             each,
-            stuck: Stuck::default(),
+            feet: Sorted::default(),
             alone: Vec::new(),
         };
         grips.sort(world);
@@ -98,6 +97,15 @@ impl Grips {
         &self.each
     }
 
+    pub(super) fn feet(&self) -> &Sorted {
+        &self.feet
+    }
+
+    /// The elements that carry, but for feet that stick together.
+    pub(super) fn alone(&self) -> &[usize] {
+        &self.alone
+    }
+
     /// Gives an element another grip; [`Grips::sort`] comes after all changes.
     pub(super) fn set(&mut self, index: usize, grip: Grip) {
         self.each[index] = grip;
@@ -105,9 +113,9 @@ impl Grips {
 
     pub(super) fn sort(&mut self, world: &World<'_>) {
         self.alone.clear();
-        self.stuck = world.feet.as_ref().map_or(Stuck::default(), |feet| {
-            feet.sort(&self.each, &mut self.alone)
-        });
+        if let Some(feet) = &world.feet {
+            feet.sort(&self.each, &mut self.feet, &mut self.alone);
+        }
         let others = self.each.iter().enumerate().skip(world.feet());
         self.alone.extend(
             others
@@ -321,8 +329,8 @@ impl<'a> World<'a> {
         rates[self.behind()..self.len()].fill(0.0);
         let lower = Pose::at(y);
         let mut push = Push::default();
-        if let Some(feet) = self.feet.as_ref().filter(|_| !grips.stuck.is_empty()) {
-            push = feet.push(&grips.stuck, &lower);
+        if let Some(feet) = self.feet.as_ref().filter(|_| !grips.feet.sums.is_empty()) {
+            push = feet.push(&grips.feet.sums, &lower);
             rates[self.behind() + DASHPOT] = push.dissipated_w;
         }
         let shaking = line.at(time_s);
@@ -482,7 +490,7 @@ impl<'a> World<'a> {
     }
 
     /// Where the energy is.
-    pub(super) fn energies(&self, grips: &[Grip], y: &State, poses: &Poses) -> Energies {
+    pub(super) fn energies(&self, grips: &Grips, y: &State, poses: &Poses) -> Energies {
         let (mut kinetic_j, mut potential_j) = (0.0, 0.0);
         for (body, y) in self.bodies.iter().zip(y.chunks_exact(BODY)) {
             let (velocity, spin) = (vector(y, VELOCITY), vector(y, SPIN));
@@ -493,31 +501,24 @@ impl<'a> World<'a> {
                     .sum::<f64>();
             potential_j += body.mass * self.gravity * y[PLACE + 2];
         }
-        let stored = |(element, &grip): (&Element, &Grip)| match grip {
-            Grip::Open { .. } | Grip::Gone => 0.0,
+        let stored = |&index: &usize| {
+            let (element, grip) = (&self.elements[index], grips.each[index]);
             // The energy of a slipping spring is counted with the slip.
-            Grip::Slip => element.pad.pressed_j(self.compression(element, poses)),
-            Grip::Stick { .. } => {
-                let foot = self.foot(element, poses);
-                element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
+            if grip == Grip::Slip {
+                return element.pad.pressed_j(self.compression(element, poses));
             }
+            let foot = self.foot(element, poses);
+            element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
         };
         let of_feet_j = self
             .feet
             .as_ref()
-            .map_or(0.0, |feet| feet.stored_j(grips, &poses[0]));
+            .map_or(0.0, |feet| feet.stored_j(&grips.feet.sums, &poses[0]));
         let behind = self.behind();
         Energies {
             kinetic_j,
             potential_j,
-            stored_j: of_feet_j
-                + self
-                    .elements
-                    .iter()
-                    .zip(grips)
-                    .skip(self.feet())
-                    .map(stored)
-                    .sum::<f64>(),
+            stored_j: of_feet_j + grips.alone.iter().map(stored).sum::<f64>(),
             base_work_j: y[behind + WORK],
             cushion_dissipation_j: y[behind + DASHPOT],
             tangential_dissipation_j: 0.0,

@@ -100,7 +100,17 @@ impl Seen<'_, '_> {
     /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
     /// where its rate falls through zero. `of` gives the value and its rate.
     pub(super) fn crest(&self, best: f64, of: impl Fn(&Poses) -> (f64, f64)) -> Option<(f64, f64)> {
-        let [from, to] = self.ends.map(&of);
+        self.crest_between(best, self.ends.map(&of), of)
+    }
+
+    /// [`Seen::crest`] with the value and its rate known at both ends.
+    #[inline]
+    pub(super) fn crest_between(
+        &self,
+        best: f64,
+        [from, to]: [(f64, f64); 2],
+        of: impl Fn(&Poses) -> (f64, f64),
+    ) -> Option<(f64, f64)> {
         let ends = from.0.max(to.0);
         if ends <= 0.0 || ends < HEADROOM * best {
             return None;

@@ -211,14 +211,14 @@ impl Track {
                 (-foot.compression, -foot.compression_rate)
             };
             let [from, to] = if element.role == Role::Base {
-                ends.map(|(height, _)| height.of(point))
+                ends.map(|(height, rising)| (height.of(point), rising.of(point)))
             } else {
-                seen.ends.map(|poses| height(poses).0)
+                seen.ends.map(height)
             };
-            if from.max(to) <= HEADROOM * peaks.uplift {
+            if from.0.max(to.0) <= HEADROOM * peaks.uplift {
                 continue;
             }
-            if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
+            if let Some((_, height_m)) = seen.crest_between(peaks.uplift, [from, to], height) {
                 peaks.uplift = height_m;
             }
             if peaks.first_uplift.is_none() {
