@@ -425,7 +425,9 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             result.overturn_time_s = Some(self.time_s);
         }
         self.ledger.enter(&self.body.energies(&self.grips, &self.y));
-        self.tail.step(self.time_s, &self.ledger, self.is_held());
+        let mut tail = self.tail;
+        tail.step(self.time_s, &self.ledger, || self.is_held());
+        self.tail = tail;
     }
 
     /// Whether all its feet carry it.

@@ -134,19 +134,14 @@ impl<const N: usize> Step<N> {
         );
         let mut error = [0.0; N];
         weighted::<N, 7>(&ERROR, &self.slopes, (&nothing, length_s), &mut error, len);
-        // In blocks, so that the divisions do not wait for each other; beyond `len` the errors are 0.
+        for i in 0..len {
+            let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
+            error[i] /= tolerance * scale;
+        }
+        // In lanes, whose additions do not wait for each other; behind `len` there is no error.
         let mut sums = [0.0; BLOCK];
-        for from in (0..len).step_by(BLOCK) {
-            let lanes = BLOCK.min(len - from);
-            let ratios: [f64; BLOCK] = std::array::from_fn(|lane| {
-                if lane >= lanes {
-                    return 0.0;
-                }
-                let i = from + lane;
-                let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
-                error[i] / (tolerance * scale)
-            });
-            for (sum, ratio) in sums.iter_mut().zip(ratios) {
+        for block in error[..len.next_multiple_of(BLOCK).min(N)].chunks(BLOCK) {
+            for (sum, ratio) in sums.iter_mut().zip(block) {
                 *sum += ratio * ratio;
             }
         }

@@ -40,6 +40,9 @@ pub(super) struct Stuck {
     anchor_squared: [f64; 2],
 }
 
+/// Far more than rounding changes a margin of the order of 1.
+const ROUNDED: f64 = 1e-6;
+
 /// The feet, sorted by how they hold on.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sorted {
@@ -187,8 +190,7 @@ impl<'a> Feet<'a> {
 
     /// No foot is higher above its unloaded cushion than this.
     pub(super) fn highest_m(&self, pose: &Pose) -> f64 {
-        let Flat { at, x, y } = pose.displacement(self.z, 2);
-        at + self.reach * (x * x + y * y).sqrt()
+        pose.displacement(self.z, 2).most_within(self.reach)
     }
 
     /// What their margins need of a pose.
@@ -275,20 +277,17 @@ impl<'a> Feet<'a> {
         least
     }
 
-    /// The feet that are past their event; `of` gives the margin of a foot that carries otherwise than on a spring and
-    /// a dashpot that stick.
-    pub(super) fn past(
+    /// The feet that may be past their event.
+    pub(super) fn near(
         &self,
         grips: &[Grip],
         (time_s, pose): (f64, &Pose),
-        of: impl Fn(usize) -> f64,
-    ) -> Vec<usize> {
+    ) -> impl Iterator<Item = usize> {
         let planes = self.planes(time_s, pose);
-        let is_past = |&index: &usize| {
+        (0..self.len()).filter(move |&index| {
             let margin = self.margin_of(&planes, index, grips[index]);
-            margin.unwrap_or_else(|| of(index)) < 0.0
-        };
-        (0..self.len()).filter(is_past).collect()
+            margin.is_none_or(|margin| margin < ROUNDED)
+        })
     }
 
     /// Energy in the springs of the feet that stick together.

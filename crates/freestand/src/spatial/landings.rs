@@ -1,6 +1,6 @@
 //! What the points of a base do where they press on the floor.
 
-use super::element::Role;
+use super::element::{Element, Role};
 use super::equation::{Line, Poses, State};
 use super::pose::Flat;
 use super::seen::Seen;
@@ -41,12 +41,20 @@ pub(super) struct Landings {
     pulses: Vec<Option<Pulse>>,
     hardest_m_s2: f64,
     found: BaseLandings,
+    /// Largest distance of a point of the base from the axis.
+    reach_m: f64,
 }
 
 impl Landings {
-    pub(super) fn new(elements: usize) -> Self {
+    pub(super) fn new(elements: &[Element<'_>]) -> Self {
+        let base = elements
+            .iter()
+            .filter(|element| element.role == Role::Base);
         Self {
-            pulses: vec![None; elements],
+            reach_m: base
+                .map(|element| element.point[0].hypot(element.point[1]))
+                .fold(0.0, f64::max),
+            pulses: vec![None; elements.len()],
             hardest_m_s2: 0.0,
             found: BaseLandings::default(),
         }
@@ -83,6 +91,14 @@ impl Landings {
         // Compared with gravity added: the force of the cushions, which also carries the weight, is what vibrates.
         let least_m_s2 = |share: f64| share * (known_m_s2 + world.gravity) - world.gravity;
         let worth_a_look_m_s2 = least_m_s2(HEADROOM);
+        let deepest_m = pressings.map(|(depth, _)| depth.most_within(self.reach_m));
+        let hardest_m_s2 = liftings.map(|lifting| lifting.most_within(self.reach_m));
+        if deepest_m[0].max(deepest_m[1]) < HEADROOM * self.found.peak_compression_m
+            && hardest_m_s2[0].max(hardest_m_s2[1]) < worth_a_look_m_s2
+            && self.pulses.iter().all(Option::is_none)
+        {
+            return;
+        }
         let mut inner: Option<[Flat; 3]> = None;
         let mut highest: Option<(usize, [f64; 5], f64)> = None;
         let grips = seen.grips.each();

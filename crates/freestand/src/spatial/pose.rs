@@ -87,6 +87,12 @@ impl Flat {
         self.at + (self.x * x + self.y * y)
     }
 
+    /// The largest value up to this distance from the axis.
+    #[inline]
+    pub(super) fn most_within(self, reach: f64) -> f64 {
+        self.at + reach * (self.x * self.x + self.y * self.y).sqrt()
+    }
+
     /// The least value at these places; infinite without any.
     pub(super) fn least(self, points: &[[f64; 2]]) -> f64 {
         // In lanes, so that it is calculated in vectors.

@@ -97,7 +97,10 @@ pub(super) fn follow(
             }
             solver.time_s = until_s;
         } else {
-            solver.is_resting = false;
+            if solver.is_resting {
+                solver.rates = world.rates(&solver.grips, &line, solver.time_s, &solver.y);
+                solver.is_resting = false;
+            }
             solver.pass(&mut step, &line, until_s)?;
         }
         index += 1;
@@ -146,14 +149,14 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         solver
     }
 
-    /// Calculates one straight segment of the motion.
+    /// Calculates one straight segment of the motion. The acceleration of the base has no steps: the rates at its start
+    /// are those at the end of the one before.
     fn pass(
         &mut self,
         step: &mut Step<LEN>,
         line: &Line,
         until_s: f64,
     ) -> Result<(), CompliantError> {
-        self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
         while self.time_s < until_s && self.fallen.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
@@ -267,7 +270,9 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         }
         self.ledger
             .enter(&self.world.energies(&self.grips, &self.y, &poses));
-        self.tail.step(self.time_s, &self.ledger, self.is_held());
+        let mut tail = self.tail;
+        tail.step(self.time_s, &self.ledger, || self.is_held());
+        self.tail = tail;
         Ok(())
     }
 
@@ -357,10 +362,10 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let rates = self.rates_of_slip(line, self.time_s, &self.y);
         let of = |index: usize| self.margin(index, self.time_s, poses, (&self.y, rates.as_ref()));
         let feet = self.world.feet.as_ref();
-        let feet = feet.map(|feet| feet.past(self.grips.each(), (self.time_s, &poses[0]), of));
-        let mut past = feet.unwrap_or_default();
-        past.extend((self.world.feet()..self.world.elements.len()).filter(|&index| of(index) < 0.0));
-        past
+        let near = feet.map(|feet| feet.near(self.grips.each(), (self.time_s, &poses[0])));
+        let others = self.world.feet()..self.world.elements.len();
+        let near = near.into_iter().flatten().chain(others);
+        near.filter(|&index| of(index) < 0.0).collect()
     }
 
     /// Changes an element that is past its event.
