@@ -115,7 +115,9 @@ pub(crate) fn next<const N: usize>(
     margin: impl Fn(f64, &[f64; N], f64) -> f64 + Copy,
     effort: &mut CompliantEffort,
 ) -> Result<(f64, bool), CompliantError> {
-    let grow = accurate(trial, |length_s| take(step, length_s), effort)?;
+    let evaluations = step.evaluations();
+    let take_one = |length_s: f64| take(step, length_s);
+    let grow = accurate(trial, take_one, evaluations, effort)?;
     let is_past = |time_s: f64, y: &[f64; N]| margin(time_s, y, 0.0) < 0.0;
     let event = first_event(step, trial.unit_s, is_past);
     if let Some(share) = event {
@@ -134,6 +136,7 @@ pub(crate) fn next<const N: usize>(
 fn accurate(
     trial: Trial,
     mut take: impl FnMut(f64) -> f64,
+    evaluations: usize,
     effort: &mut CompliantEffort,
 ) -> Result<f64, CompliantError> {
     let mut length_s = trial.try_s.min(trial.longest_s);
@@ -144,7 +147,7 @@ fn accurate(
     }
     loop {
         let error_ratio = take(length_s);
-        effort.evaluations += 6;
+        effort.evaluations += evaluations;
         if error_ratio <= 1.0 {
             let growth = (0.9 * error_ratio.powf(-0.2)).clamp(0.5, 4.0);
             return Ok(growth * length_s);
@@ -239,7 +242,7 @@ fn shortened<const N: usize>(
     let shortest_s = SHORTEST_RAD * unit_s;
     let mut low_margin = margin(step.start_s, &step.start);
     let mut margin_after = |step: &mut Step<N>, length_s: f64| {
-        effort.evaluations += 6;
+        effort.evaluations += step.evaluations();
         take(step, length_s);
         margin(step.start_s + step.length_s, &step.end)
     };

@@ -55,12 +55,7 @@ impl Tail {
     }
 
     /// A step after the motion has ended; `is_held`: all its feet carry it, or a wall does.
-    pub(crate) fn step(
-        &mut self,
-        time_s: f64,
-        ledger: &Ledger,
-        is_held: impl FnOnce() -> bool,
-    ) {
+    pub(crate) fn step(&mut self, time_s: f64, ledger: &Ledger, is_held: impl FnOnce() -> bool) {
         if !(self.is_quiet && self.ends) {
             return;
         }

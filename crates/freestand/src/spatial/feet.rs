@@ -254,7 +254,13 @@ impl<'a> Feet<'a> {
     ) -> f64 {
         let planes = self.planes(time_s, pose);
         // A surface that still recovers is no lower than the unloaded cushion.
-        let open_is_near = planes.up.least(&sorted.open) < least * self.unit_m;
+        let lowest_open_m = planes.up.least(&sorted.open);
+        let mut open_is_near = lowest_open_m < least * self.unit_m;
+        if !self.pad.is_damped() {
+            // It has recovered at once.
+            least = least.min(lowest_open_m / self.unit_m);
+            open_is_near = false;
+        }
         let sticks_by_force = self.linear.is_some() && self.friction.is_none();
         if sticks_by_force {
             least = least.min(planes.pushes.least(&sorted.stuck));

@@ -47,9 +47,7 @@ pub(super) struct Landings {
 
 impl Landings {
     pub(super) fn new(elements: &[Element<'_>]) -> Self {
-        let base = elements
-            .iter()
-            .filter(|element| element.role == Role::Base);
+        let base = elements.iter().filter(|element| element.role == Role::Base);
         Self {
             reach_m: base
                 .map(|element| element.point[0].hypot(element.point[1]))

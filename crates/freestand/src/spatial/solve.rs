@@ -7,7 +7,7 @@ use super::seen::Seen;
 use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
-use crate::compliant::step::Step;
+use crate::compliant::step::{BOGACKI_SHAMPINE, Step};
 use crate::compliant::stepper::{Trial, next};
 use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
@@ -83,7 +83,7 @@ pub(super) fn follow(
     }
     let mut solver = Solver::new(world, options, start, observe);
     let samples = given.map_or(0, |motion| motion.accel_m_s2().len());
-    let mut step = Step::new(start, world.len());
+    let mut step = Step::new(start, world.len(), &BOGACKI_SHAMPINE);
     let mut index = 0;
     while solver.time_s < end_s && solver.fallen.is_none() && !solver.tail.is_over {
         let (line, until_s) = Line::of(motions, index, end_s);
@@ -210,8 +210,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             close: PAST * self.tolerance,
         };
         let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
-        let margin =
-            |time_s: f64, y: &State, most: f64| self.least_margin(line, (time_s, y), most);
+        let margin = |time_s: f64, y: &State, most: f64| self.least_margin(line, (time_s, y), most);
         let found = next(step, trial, take, margin, &mut effort)?;
         self.effort = effort;
         Ok(found)
