@@ -91,10 +91,11 @@ impl Landings {
         let worth_a_look_m_s2 = least_m_s2(HEADROOM);
         let deepest_m = pressings.map(|(depth, _)| depth.most_within(self.reach_m));
         let hardest_m_s2 = liftings.map(|lifting| lifting.most_within(self.reach_m));
-        if deepest_m[0].max(deepest_m[1]) < HEADROOM * self.found.peak_compression_m
-            && hardest_m_s2[0].max(hardest_m_s2[1]) < worth_a_look_m_s2
-            && self.pulses.iter().all(Option::is_none)
-        {
+        let may_be_deepest =
+            deepest_m[0].max(deepest_m[1]) >= HEADROOM * self.found.peak_compression_m;
+        let may_be_hardest = hardest_m_s2[0].max(hardest_m_s2[1]) >= worth_a_look_m_s2;
+        let has_pulses = self.pulses.iter().any(Option::is_some);
+        if !(may_be_deepest || may_be_hardest || has_pulses) {
             return;
         }
         let mut inner: Option<[Flat; 3]> = None;
@@ -108,9 +109,14 @@ impl Landings {
             let at_point = |(depth, rate): (Flat, Flat)| (depth.of(point), rate.of(point));
             let pressed = |poses: &Poses| at_point(pressing(poses));
             let deepest_m = self.found.peak_compression_m;
-            let ends = pressings.map(at_point);
-            if let Some((_, most_m)) = seen.crest_between(deepest_m, ends, pressed) {
+            if may_be_deepest
+                && let Some((_, most_m)) =
+                    seen.crest_between(deepest_m, pressings.map(at_point), pressed)
+            {
                 self.found.peak_compression_m = most_m;
+            }
+            if !(may_be_hardest || has_pulses) {
+                continue;
             }
             let [before, now] = liftings.map(|lifting| lifting.of(point));
             if let Some(pulse) = &mut self.pulses[index] {
@@ -147,6 +153,9 @@ impl Landings {
             {
                 pulse.peak_m_s2 = pulse.peak_m_s2.max(most_m_s2);
             }
+        }
+        if !has_pulses {
+            return;
         }
         for (index, element) in world.elements.iter().enumerate() {
             if self.pulses[index].is_none() || !grips[index].carries() {

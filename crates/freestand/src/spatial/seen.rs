@@ -4,12 +4,15 @@ use super::element::Role;
 use super::equation::{Grips, LEN, Poses, State, World};
 use crate::compliant::HEADROOM;
 use crate::compliant::step::Step;
-use crate::search::bisect;
+use crate::search::falls;
 
 /// The cubic through the values and rates at both ends of a step reaches at least this share of a maximum within the
 /// step. Error control limits the steps of a visible vibration to a third of a radian; the cubic then misses less than
 /// 1e-4.
 const CUBIC_NEAR: f64 = 0.98;
+
+/// How near to the place of a maximum its search ends, as a share of the step: the value is accurate to its square.
+const TOP_WITHIN: f64 = 1e-8;
 
 /// How the bodies of a stack move at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -125,7 +128,9 @@ impl Seen<'_, '_> {
         let is_low = crests && self.top([from, to]) < CUBIC_NEAR * best;
         if crests && !is_low {
             let inside = |share: f64| of(&self.poses(share));
-            let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
+            let share = falls((0.0, from.1), (1.0, to.1), TOP_WITHIN, |share| {
+                inside(share).1
+            });
             let top = inside(share).0;
             if top > most.1 {
                 most = (share, top);
