@@ -298,3 +298,77 @@ fn weighted_of<const N: usize, const M: usize>(
         out[i] = start[i] + h * sum;
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The conditions of quadrature, and that the last stage is the end of the step. Each is a sum of up to eight numbers
+    /// below 4 that are rounded to 1e-16 of themselves.
+    #[test]
+    fn pairs_have_their_order() {
+        for pair in [&DORMAND_PRINCE, &BOGACKI_SHAMPINE] {
+            let nodes: Vec<f64> = [0.0].iter().chain(pair.nodes).copied().collect();
+            let moment = |weights: &[f64], power: i32| -> f64 {
+                let terms = weights.iter().zip(&nodes);
+                terms.map(|(weight, node)| weight * node.powi(power)).sum()
+            };
+            let near = |found: f64, expected: f64| (found - expected).abs() < 1e-14;
+            for (node, weights) in pair.nodes.iter().zip(pair.stages) {
+                assert!(near(moment(weights, 0), *node), "{node}");
+            }
+            let end = pair.stages[pair.stages.len() - 1];
+            for power in 0..5 {
+                assert!(
+                    near(moment(end, power), 1.0 / f64::from(power + 1)),
+                    "{power}"
+                );
+            }
+            for power in 0..4 {
+                assert!(near(moment(pair.error, power), 0.0), "{power}");
+                // What a cubic through both ends lacks of θ⁴/4 is θ²(1 − θ)²/4.
+                let lacks = if power == 3 { 0.25 } else { 0.0 };
+                assert!(near(moment(pair.dense, power), lacks), "{power}");
+            }
+            assert!(moment(pair.error, 4).abs() > 1e-5);
+        }
+    }
+
+    /// A rotation at 1 rad/s: halving the step divides the error at its end by 2⁶ and that of the polynomial by 2⁵.
+    #[test]
+    fn steps_and_polynomials_converge() {
+        for pair in [&DORMAND_PRINCE, &BOGACKI_SHAMPINE] {
+            let errors = |length_s: f64| {
+                let (start, start_rates) = ([1.0, 0.0], [0.0, 1.0]);
+                let mut step = Step::new(&start, 2, pair);
+                let rates = |_: f64, y: &[f64; 2], rates: &mut [f64; 2]| *rates = [-y[1], y[0]];
+                step.take(
+                    rates,
+                    0.0,
+                    (&start, &start_rates),
+                    length_s,
+                    (&[1.0; 2], 1.0),
+                );
+                let error = |share: f64| {
+                    let [x, y] = if share == 1.0 {
+                        step.end
+                    } else {
+                        step.state(share)
+                    };
+                    let (sin, cos) = (share * length_s).sin_cos();
+                    (x - cos).hypot(y - sin)
+                };
+                [error(1.0), error(0.3)]
+            };
+            let (long, short) = (errors(0.4), errors(0.2));
+            assert!(
+                (5.5..6.7).contains(&(long[0] / short[0]).log2()),
+                "{long:?} {short:?}"
+            );
+            assert!(
+                (4.5..5.7).contains(&(long[1] / short[1]).log2()),
+                "{long:?} {short:?}"
+            );
+        }
+    }
+}
