@@ -27,8 +27,8 @@ const PLAN: &str = "plan";
 /// The file that the writing run locks.
 const LOCK: &str = "lock";
 
-/// Most objects of a part: what a killed run loses, half a minute of a list with a fifth on pads. The objects of a part
-/// share the motions of their floors, and stand side by side in the kernels.
+/// Most objects of a part. A killed run loses the part that it is in: about half a minute on two cores if a fifth of the
+/// list is on pads. The objects of a part share the motions of their floors, and stand side by side in the kernels.
 const PART: usize = 1024;
 
 /// Objects of a part whose histories are followed one by one, for a tenth of a second and more: some minutes.

@@ -1,5 +1,5 @@
-//! The skeleton of a report, its tables and its figures, as markup of `maud`: texts in it are
-//! escaped, and what is escaped has a type of its own.
+//! The skeleton of a report, its tables and its figures, as markup of `maud`: it escapes every text,
+//! and markup has a type of its own, so neither is taken for the other.
 
 use maud::{DOCTYPE, Markup, PreEscaped, Render, html};
 
@@ -18,10 +18,10 @@ pub const ONE_PAGE_CSS: &str = include_str!("one_page.css");
 /// A report: the shared styles, its own `css`, its title and its content. On paper the title is
 /// repeated at the top of every page after the first, and the subtitle is at the foot of every page.
 pub fn document(title: &str, subtitle: &str, css: &str, content: &Markup) -> String {
-    written(html! { (opening(title, subtitle, css)) (content) (CLOSING) })
+    without_forbidden(html! { (opening(title, subtitle, css)) (content) (CLOSING) })
 }
 
-/// Everything before the content of a report that is written in pieces.
+/// What comes before the content, for a report that is written piece by piece.
 pub fn opening(title: &str, subtitle: &str, css: &str) -> Markup {
     let (top, foot) = (css_string(title), css_string(subtitle));
     let style = format!(
@@ -45,15 +45,15 @@ pub fn opening(title: &str, subtitle: &str, css: &str) -> Markup {
 /// The end of a report that [`opening`] began.
 pub const CLOSING: PreEscaped<&str> = PreEscaped("</main></body></html>\n");
 
-// `maud` writes elements without an end as HTML does. A report is XML as well, which needs a slash in
-// them, so they are written here.
+// `maud` writes void elements as HTML does (`<br>`). A report must be well-formed XML too (`<br />`), so
+// they are written here.
 
 const META: PreEscaped<&str> = PreEscaped(
     "<meta charset=\"utf-8\" />\
      <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />",
 );
 
-/// The end of a line.
+/// A line break.
 pub const BREAK: PreEscaped<&str> = PreEscaped("<br />");
 
 /// A box to tick.
@@ -66,9 +66,9 @@ pub fn checkbox(id: &'static str, is_checked: bool) -> Markup {
     PreEscaped(format!("<input type=\"checkbox\" id=\"{id}\"{checked} />"))
 }
 
-/// A report, or a piece of it, as it is written: without the characters that neither HTML nor XML
-/// allows. Untidy lists have them, and `maud` lets them through.
-pub fn written(markup: Markup) -> String {
+/// Markup as it goes into a file, without the characters that HTML and XML forbid: untidy lists
+/// contain them, and `maud` keeps them.
+pub fn without_forbidden(markup: Markup) -> String {
     let mut html = markup.into_string();
     html.retain(|c| {
         matches!(c, '\n' | '\t') || !c.is_control() && !matches!(c, '\u{fffe}' | '\u{ffff}')
@@ -113,7 +113,7 @@ pub fn figure(content: impl Render) -> Cell {
 }
 
 impl Cell {
-    /// Gives the cell a style class.
+    /// Sets the style classes of the cell, in place of earlier ones.
     pub fn class(mut self, class: &'static str) -> Self {
         self.class = Some(class);
         self
@@ -183,6 +183,45 @@ pub fn properties<N: Render, V: AsRef<str>>(caption: &str, rows: &[(N, V)]) -> M
     classed_table("pairs", caption, &[], rows)
 }
 
+/// A part of a report that its contents name.
+pub struct Section {
+    /// Its name in a link.
+    id: &'static str,
+    /// What stands above it.
+    heading: &'static str,
+    /// All below the heading.
+    content: Markup,
+}
+
+impl Section {
+    /// One with these values.
+    pub fn new(id: &'static str, heading: &'static str, content: Markup) -> Self {
+        Self {
+            id,
+            heading,
+            content,
+        }
+    }
+}
+
+/// Links to sections.
+pub fn contents(sections: &[Section]) -> Markup {
+    html! {
+        nav aria-label="Contents" {
+            @for Section { id, heading, .. } in sections { a href={ "#" (id) } { (heading) } "\n" }
+        }
+    }
+}
+
+/// Sections with their headings, each on a line of its own.
+pub fn sections(sections: &[Section]) -> Markup {
+    html! {
+        @for Section { id, heading, content } in sections {
+            "\n" section #(id) { h2 { (heading) } (content) }
+        }
+    }
+}
+
 /// A bulleted list.
 pub fn list(items: impl IntoIterator<Item = impl Render>) -> Markup {
     html! {
@@ -209,7 +248,7 @@ mod tests {
     fn texts_stay_texts() {
         let text = "<a href=\"x\">&\u{0}\r\u{ffff}\n</a>";
         assert_eq!(
-            written(html! { p title=(text) { (text) } }),
+            without_forbidden(html! { p title=(text) { (text) } }),
             "<p title=\"&lt;a href=&quot;x&quot;&gt;&amp;\n&lt;/a&gt;\">\
              &lt;a href=&quot;x&quot;&gt;&amp;\n&lt;/a&gt;</p>"
         );

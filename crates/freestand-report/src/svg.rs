@@ -2,14 +2,26 @@
 
 use maud::{Markup, Render, html};
 
+/// Outlines, the floor and the weight.
+pub(crate) const INK: &str = "#1a1a1a";
+/// What holds the object.
+pub(crate) const BLUE: &str = "#00558c";
+/// The lines of dimensions, and their texts.
+pub(crate) const DIMENSION: &str = "#666";
+pub(crate) const LABEL: &str = "#444";
+
+/// The end of a line that has an [`arrow`].
+pub(crate) const TIP: Option<&str> = Some("url(#tip)");
+
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Pen {
     pub(crate) colour: &'static str,
     pub(crate) width: f64,
     pub(crate) dashes: Option<&'static str>,
-    /// The arrows at its ends.
+    /// The arrow at its start: [`TIP`].
     pub(crate) from: Option<&'static str>,
+    /// The arrow at its end, likewise.
     pub(crate) to: Option<&'static str>,
 }
 
@@ -42,11 +54,11 @@ pub(crate) fn text([x, y]: [f64; 2], anchor: &str, colour: &str, words: impl Ren
     }
 }
 
-/// The arrow that a pen names by its id.
-pub(crate) fn arrow(id: &str, size_px: u8) -> Markup {
+/// What [`TIP`] stands for; once in each drawing.
+pub(crate) fn arrow() -> Markup {
     html! {
         defs {
-            marker id=(id) viewBox="0 0 10 10" refX="9" refY="5" markerWidth=(size_px) markerHeight=(size_px)
+            marker id="tip" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="7" markerHeight="7"
                 orient="auto-start-reverse" {
                 path d="M0 0 L10 5 L0 10 z" fill="context-stroke" {}
             }
@@ -54,8 +66,8 @@ pub(crate) fn arrow(id: &str, size_px: u8) -> Markup {
     }
 }
 
-/// A drawing with its size and what it shows.
-pub(crate) fn drawing([width, height]: [f64; 2], label: &str, content: &Markup) -> Markup {
+/// A drawing of this size; `label` says what it shows.
+pub(crate) fn picture([width, height]: [f64; 2], label: &str, content: &Markup) -> Markup {
     html! {
         svg xmlns="http://www.w3.org/2000/svg" viewBox={ "0 0 " (width) " " (height) } role="img"
             aria-label=(label) font-family="Arial, sans-serif" font-size="12" { (content) }

@@ -24,7 +24,7 @@ const FLOORS_AGAIN: f64 = 5.0;
 /// Tells what is known of objects, and what they still need.
 pub(super) fn tell(context: &Context, trials: &[Trial]) {
     let Some(watch) = context.watch else { return };
-    // Each reads a dozen intervals.
+    // On all threads: each object takes a dozen intervals.
     let ahead: Vec<Ahead> = trials
         .par_iter()
         .map(|trial| Ahead::of(context, trial))
@@ -63,6 +63,7 @@ struct Ahead<'a> {
     /// Worlds after which it is settled.
     worlds: u32,
     lives: Lives,
+    /// What it still needs, in histories in one plane on a rigid base.
     effort: f64,
     estimate: Estimate<'a>,
 }

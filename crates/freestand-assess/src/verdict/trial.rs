@@ -470,7 +470,7 @@ fn live_in(
 ) -> Result<(), Problems> {
     let level = |&place: &usize| (trials[place].subject.level_ratio.to_bits(), place);
     let levels = grouped(places.iter().map(level));
-    // Worlds are most of the memory of a part: no room for twice as many.
+    // Worlds take most of the memory of a part, so their vectors get no spare capacity.
     for &place in places {
         trials[place].lived.reserve_exact(range.len());
     }

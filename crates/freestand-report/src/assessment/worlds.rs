@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use super::csv::push_field;
 use super::table::Cell;
 use freestand_assess::portfolio::Lived;
-use freestand_assess::worlds::{FloorPeaks, Worlds};
+use freestand_assess::worlds::{HorizontalPeaks, Worlds};
 
 /// The file's name.
 pub const WORLDS_NAME: &str = "worlds.csv";
@@ -112,7 +112,7 @@ fn rows<'a>(
     ];
     let floors = worlds.floor_peaks(world, levels)?;
     let peaks = motions.map(|motion| motion.map(Motion::peak_m_s2));
-    let row = |(level_ratio, floor): (&f64, &FloorPeaks)| {
+    let row = |(level_ratio, floor): (&f64, &HorizontalPeaks)| {
         let building = [
             building.map(|one| one.period_s),
             building.and_then(|one| one.damping_ratio),

@@ -223,7 +223,7 @@ fn others(case: &Case) -> Markup {
     table("", &titles, case.others.iter().map(row))
 }
 
-/// What was assumed, and what the sheet does not say.
+/// Assumptions, doubts, and what the sheet does not cover.
 fn notes(case: &Case) -> Vec<String> {
     let source = provenance(case.target.as_ref()).map(|source| format!("Hazard: {source}."));
     let doubt = case

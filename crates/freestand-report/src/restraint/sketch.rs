@@ -3,7 +3,7 @@
 use freestand_assess::restrain::Case;
 use maud::{Markup, html};
 
-use crate::svg::{Pen, arrow, drawing, line, pen, px, text};
+use crate::svg::{BLUE, DIMENSION, INK, LABEL, Pen, TIP, arrow, line, pen, picture, px, text};
 
 /// Size of the picture \[px\].
 const WIDTH_PX: f64 = 380.0;
@@ -15,11 +15,7 @@ const OBJECT_PX: [f64; 2] = [130.0, 225.0];
 /// The middle of the object \[px\].
 const MIDDLE_PX: f64 = 170.0;
 
-const TIP: Option<&str> = Some("url(#tip)");
-const INK: &str = "#1a1a1a";
-const BLUE: &str = "#00558c";
 const RED: &str = "#b00020";
-const GREY: &str = "#444";
 
 /// The sketch: the side in which the object tips first.
 pub(super) fn sketch(case: &Case) -> Markup {
@@ -44,7 +40,7 @@ pub(super) fn sketch(case: &Case) -> Markup {
     let units = case.request.units;
     let length = |length_m: f64| units.length(length_m);
     let inset = case.own.inset_m() * scale;
-    let thin = pen("#666", 1.0);
+    let thin = pen(DIMENSION, 1.0);
     let both = Pen {
         from: TIP,
         to: TIP,
@@ -59,7 +55,7 @@ pub(super) fn sketch(case: &Case) -> Markup {
         ..pen(BLUE, 2.0)
     };
     let content = html! {
-        (arrow("tip", 7))
+        (arrow())
         (line([40.0, FLOOR_PX, 340.0, FLOOR_PX], pen(INK, 2.0)))
         // The wall that a bracket is fixed to.
         (line([320.0, top.min(bracket) - 12.0, 320.0, FLOOR_PX], pen("#999", 2.0)))
@@ -83,9 +79,9 @@ pub(super) fn sketch(case: &Case) -> Markup {
         (line([left, FLOOR_PX + 52.0, right, FLOOR_PX + 52.0], both))
         (text([left - 10.0, cg - 12.0], "end", RED, format!("F = {}", units.force(force.force_n))))
         (text([MIDDLE_PX + 7.0, cg + 26.0], "start", INK, "W"))
-        (text([right + 20.0, top - 5.0], "middle", GREY, length(object.height_m)))
-        (text([right + 44.0, (cg + FLOOR_PX) / 2.0], "start", GREY, length(object.cg_height_m)))
-        (text([MIDDLE_PX, FLOOR_PX + 47.0], "middle", GREY, length(side_m)))
+        (text([right + 20.0, top - 5.0], "middle", LABEL, length(object.height_m)))
+        (text([right + 44.0, (cg + FLOOR_PX) / 2.0], "start", LABEL, length(object.cg_height_m)))
+        (text([MIDDLE_PX, FLOOR_PX + 47.0], "middle", LABEL, length(side_m)))
         @if force.anchor_tension_n > 0.0 {
             @let tension = format!("T = {}", units.force(force.anchor_tension_n));
             (text([left - 2.0, FLOOR_PX + 34.0], "end", BLUE, tension))
@@ -93,7 +89,7 @@ pub(super) fn sketch(case: &Case) -> Markup {
         @let or_bracket = format!("or P = {}", units.force(force.bracket_force_n));
         (text([316.0, bracket - 6.0], "end", BLUE, or_bracket))
     };
-    drawing(
+    picture(
         [WIDTH_PX, HEIGHT_PX],
         "The object with its forces",
         &content,

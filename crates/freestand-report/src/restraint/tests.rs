@@ -311,7 +311,7 @@ fn every_question() -> Vec<RestraintQuestion> {
     questions
 }
 
-/// Those, and of one code all forces with stated factors and a bracket above the object.
+/// The notes of every question, and of one code all forces with stated factors and a bracket above the object.
 #[test]
 fn every_note() {
     let questions = every_question();
@@ -407,7 +407,7 @@ fn the_printed_numbers_give_the_force() {
             let mut expression = Printed(printed.trim_end_matches(" g").chars().peekable());
             let found = expression.sum();
             assert_eq!(expression.0.next(), None, "{printed}");
-            // Up to six factors, each printed with three or four digits.
+            // Up to six factors, each printed with four digits, the level with three.
             let error = found / source.part.formula_ratio - 1.0;
             assert!(error.abs() < 6.0 * 5e-4, "{printed}: {found}, {source:?}");
             seen.insert(source_name(source));

@@ -5,7 +5,7 @@ use freestand_inventory::library::RestraintKind;
 use freestand_risk::budget::PlanRow;
 use maud::{Markup, html};
 
-use crate::svg::{Pen, arrow, drawing as svg, line, pen, px, text};
+use crate::svg::{BLUE, DIMENSION, INK, LABEL, Pen, TIP, arrow, line, pen, picture, px, text};
 
 /// Size of the picture \[px\].
 const WIDTH_PX: f64 = 380.0;
@@ -21,18 +21,12 @@ const GAP_PX: [f64; 2] = [6.0, 55.0];
 /// The same where the list does not say it \[px\].
 const UNKNOWN_GAP_PX: f64 = 18.0;
 
-const INK: &str = "#1a1a1a";
-const BLUE: &str = "#00558c";
-const GREY: &str = "#666";
-
-const TIP: Option<&str> = Some("url(#end)");
-
 /// The line of a dimension, with arrows at both ends.
 fn dimension(ends: [f64; 4]) -> Markup {
     let arrows = Pen {
         from: TIP,
         to: TIP,
-        ..pen(GREY, 1.0)
+        ..pen(DIMENSION, 1.0)
     };
     line(ends, arrows)
 }
@@ -55,15 +49,15 @@ pub(super) fn drawing(row: &PlanRow) -> Option<Markup> {
     let cg_m = object.cg_height_m.unwrap_or(0.5 * height_m);
     let middle = 0.5 * (left + RIGHT_PX);
     let content = html! {
-        (arrow("end", 6))
+        (arrow())
         (line([20.0, FLOOR_PX, 365.0, FLOOR_PX], pen(INK, 2.0)))
         rect x=(px(left)) y=(px(top)) width=(px(width)) height=(px(height))
             fill="#f2f2f2" stroke=(INK) stroke-width="1.5" {}
         (circle([middle, FLOOR_PX - cg_m * scale], 3.5, INK))
         (dimension([left - 14.0, top, left - 14.0, FLOOR_PX]))
-        (text([left - 20.0, top + 0.5 * height + 4.0], "end", "#444", units.length(height_m)))
+        (text([left - 20.0, top + 0.5 * height + 4.0], "end", LABEL, units.length(height_m)))
         (dimension([left, FLOOR_PX + 30.0, RIGHT_PX, FLOOR_PX + 30.0]))
-        (text([middle, FLOOR_PX + 45.0], "middle", "#444", units.length(thickness_m)))
+        (text([middle, FLOOR_PX + 45.0], "middle", LABEL, units.length(thickness_m)))
         @match row.kind {
             RestraintKind::BasePlate => (base(row, [left, scale], thickness_m)),
             RestraintKind::WheelLock => (locked(left)),
@@ -75,7 +69,7 @@ pub(super) fn drawing(row: &PlanRow) -> Option<Markup> {
         }
     };
     let label = "The object from its side, with its restraint";
-    Some(svg([WIDTH_PX, HEIGHT_PX], label, &content))
+    Some(picture([WIDTH_PX, HEIGHT_PX], label, &content))
 }
 
 fn wheels(left: f64) -> Markup {
@@ -116,7 +110,7 @@ fn base(row: &PlanRow, [left, scale]: [f64; 2], thickness_m: f64) -> Markup {
             (line([x, FLOOR_PX - 3.0, edge, FLOOR_PX - 3.0], thick))
             (line([edge, FLOOR_PX - 3.0, edge, FLOOR_PX - 24.0], thick))
         }
-        (line([inside, below, RIGHT_PX + 8.0, below], pen(GREY, 1.0)))
+        (line([inside, below, RIGHT_PX + 8.0, below], pen(DIMENSION, 1.0)))
         (text([RIGHT_PX + 12.0, FLOOR_PX + 20.0], "start", BLUE, said))
     }
 }
@@ -152,7 +146,7 @@ fn at_wall(row: &PlanRow, [left, top, scale]: [f64; 3], height_m: f64) -> Markup
     html! {
         (line([wall, top - 14.0, wall, FLOOR_PX], pen(INK, 2.0)))
         rect x=(px(wall)) y=(px(top - 14.0)) width="10" height=(px(FLOOR_PX - top + 14.0)) fill="#ddd" {}
-        (text([RIGHT_PX + 8.0, FLOOR_PX + 18.0], "start", "#444", said))
+        (text([RIGHT_PX + 8.0, FLOOR_PX + 18.0], "start", LABEL, said))
         @if row.kind == RestraintKind::Tether { (wheels(left)) }
         @for z in [Some(z), lower].into_iter().flatten() {
             (line([from, z, wall, z], pen(BLUE, width)))
@@ -160,7 +154,7 @@ fn at_wall(row: &PlanRow, [left, top, scale]: [f64; 3], height_m: f64) -> Markup
             (line([wall - 2.0, z - 7.0, wall - 2.0, z + 7.0], pen(BLUE, 4.0)))
             (line([wall, z, wall + 16.0, z], pen(BLUE, 3.0)))
         }
-        (line([wall + 18.0, z, x + 4.0, z], pen(GREY, 1.0)))
+        (line([wall + 18.0, z, x + 4.0, z], pen(DIMENSION, 1.0)))
         (dimension([x, z, x, FLOOR_PX]))
         (text([x + 6.0, 0.5 * (z + FLOOR_PX) + 4.0], "start", BLUE, units.length(at_m)))
         (text([x + 8.0, z + 1.0], "start", BLUE, anchors))

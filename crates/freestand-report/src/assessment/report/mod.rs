@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, HashMap};
 use freestand_input::problem::Problem;
 use freestand_inventory::Inventory;
 use freestand_output::folder::OutputFolder;
-use freestand_output::html::{CLOSING, opening, written};
+use freestand_output::html::{CLOSING, opening, without_forbidden};
 use freestand_risk::budget::{BudgetPlan, PlanRow};
 use maud::{Markup, html};
 
@@ -76,7 +76,7 @@ impl<'p> Report<'p> {
             summary::summary(head, overview, self.max_pages, wanted),
         ];
         for piece in before.into_iter().chain(self.pages.into_values()) {
-            file.write(written(piece).as_bytes())?;
+            file.write(without_forbidden(piece).as_bytes())?;
         }
         file.write(CLOSING.0.as_bytes())?;
         file.finish()

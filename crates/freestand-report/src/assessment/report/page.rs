@@ -485,7 +485,7 @@ fn what_to_do(found: &Assessment) -> Markup {
     }
 }
 
-/// The pad that would suffice.
+/// What is said of a softer pad.
 fn softer_words(softening: &Softening) -> String {
     let mut said = match softening.max_stiffness_n_m {
         Some(stiffness) => format!(

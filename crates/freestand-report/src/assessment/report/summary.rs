@@ -17,7 +17,9 @@ use crate::signature::{Signing, signature};
 use freestand_assess::result::{Criterion, Decision};
 use freestand_input::keys::KeyStyle;
 use freestand_input::words::{counted, fixed, number, significant};
-use freestand_output::html::{Cell, checkbox, figure, list, properties, table, words as text};
+use freestand_output::html::{
+    Cell, Section, checkbox, contents, figure, list, properties, sections, table, words as text,
+};
 use freestand_risk::budget::BudgetPlan;
 use maud::{Markup, Render, html};
 
@@ -31,27 +33,25 @@ pub(super) fn summary(head: &Head, overview: &Overview, pages: usize, wanted: Wa
     });
     let partial = overview.partial().into_iter().chain(lacks_plan);
     let recalled = recalled(head, overview, wanted);
-    let sections = sections(head, overview, pages, wanted, &recalled);
+    let parts = after_the_first_sheet(head, overview, pages, wanted, &recalled);
     html! {
         @if let Some(no_study) = &head.no_study { div.warn.study { p { (no_study) } } }
         @for said in partial { div.warn.partial { h2 { "Partial result" } p { (said) } } }
         (one_page(head, overview, pages, wanted, &recalled))
-        nav aria-label="Contents" {
-            @for (id, heading, _) in &sections { a href={ "#" (id) } { (heading) } " " }
-        }
+        (contents(&parts))
         (print_choices(head, pages.min(overview.assessed)))
-        @for (id, heading, content) in &sections { section #(id) { h2 { (heading) } (content) } }
+        (sections(&parts))
     }
 }
 
-/// What follows the first sheet: an id, a heading and the content of each section.
-fn sections(
+/// The sections that follow the first sheet.
+fn after_the_first_sheet(
     head: &Head,
     overview: &Overview,
     pages: usize,
     wanted: Wanted,
     recalled: &[String],
-) -> Vec<(&'static str, &'static str, Markup)> {
+) -> Vec<Section> {
     let tasks = work_list(overview, pages);
     // A plan has its work orders, room by room.
     let tasks = match wanted.plan {
@@ -60,14 +60,14 @@ fn sections(
     };
     let work = html! { (floors(overview, head.is_elastic)) (tasks) };
     let unread = (!recalled.is_empty()).then(|| {
-        (
+        Section::new(
             "recalled",
             "Values quoted from memory (confidence: recalled)",
             list(recalled),
         )
     });
     let planned = wanted.plan.map(|plan| {
-        (
+        Section::new(
             "plan",
             "The plan within the budget",
             plan_html(plan, &orders::links(plan)),
@@ -75,27 +75,27 @@ fn sections(
     });
     let changed = wanted
         .since
-        .map(|since| ("since", "What has changed", since_html(since)));
+        .map(|since| Section::new("since", "What has changed", since_html(since)));
     let rest = [
-        (
+        Section::new(
             "first",
             "The most urgent objects",
             long(first(overview, pages), overview.urgent.len(), CSV_NAME),
         ),
-        ("floors", "Work list by floor and room", work),
-        (
+        Section::new("floors", "Work list by floor and room", work),
+        Section::new(
             "consequences",
             "Verdicts by consequence",
             consequences(overview),
         ),
-        (
+        Section::new(
             "warnings",
             "Problems and warnings",
             warnings(head, overview),
         ),
-        ("facts", "Inputs", properties("", &head.facts)),
-        ("assumptions", "Assumptions", list(&head.assumptions)),
-        ("reading", "How to read this report", list(HOW_TO_READ)),
+        Section::new("facts", "Inputs", properties("", &head.facts)),
+        Section::new("assumptions", "Assumptions", list(&head.assumptions)),
+        Section::new("reading", "How to read this report", list(HOW_TO_READ)),
     ];
     planned
         .into_iter()
@@ -239,7 +239,7 @@ fn force_words(force_n: Option<f64>) -> String {
     force_n.map_or_else(|| "–".to_owned(), kilonewtons)
 }
 
-/// A table whose rows become cards on a narrow screen, with the rows in `bodies`.
+/// A table whose rows become cards on a narrow screen, whose `tbody` elements are the `bodies`.
 fn cards(class: &str, headings: &[(&str, bool)], bodies: &Markup) -> Markup {
     html! {
         table.cards.(class) {

@@ -8,11 +8,11 @@ mod results;
 mod sensitivity;
 
 use freestand_output::figure::Figure;
-use freestand_output::html::{Cell, document, figure, words};
+use freestand_output::html::{Cell, Section, contents, document, figure, sections, words};
 use freestand_study::provenance::Provenance;
 use freestand_study::result::StudyResult;
 use freestand_study::study::Study;
-use maud::{Markup, html};
+use maud::html;
 
 /// The report of a run: HTML that is also well-formed XML.
 ///
@@ -23,44 +23,36 @@ pub(super) fn report(
     figures: &[Figure],
     provenance: &Provenance,
 ) -> String {
-    let sections: [(&str, &str, Markup); 8] = [
-        (
-            "results",
-            "Results",
-            results::results(study, result, figures),
-        ),
-        (
+    let varied = sensitivity::sensitivity(result).map(|content| {
+        Section::new(
             "sensitivity",
             "How the result depends on its assumptions",
-            sensitivity::sensitivity(result),
-        ),
-        (
+            content,
+        )
+    });
+    let results = results::results(study, result, figures);
+    let mut parts = vec![Section::new("results", "Results", results)];
+    parts.extend(varied);
+    parts.extend([
+        Section::new(
             "paper",
             "Comparison with the paper",
             reading::beside_the_paper(study, result),
         ),
-        ("inputs", "Inputs", inputs::inputs(study, result)),
-        ("assumptions", "Assumptions", reading::assumptions(study)),
-        ("definitions", "Definitions", reading::definitions()),
-        ("errata", "Corrections to the paper", reading::errata()),
-        (
+        Section::new("inputs", "Inputs", inputs::inputs(study, result)),
+        Section::new("assumptions", "Assumptions", reading::assumptions(study)),
+        Section::new("definitions", "Definitions", reading::definitions()),
+        Section::new("errata", "Corrections to the paper", reading::errata()),
+        Section::new(
             "provenance",
             "Provenance",
             provenance::provenance_section(study, provenance),
         ),
-    ];
-    let sections: Vec<_> = sections
-        .iter()
-        .filter(|(_, _, content)| !content.0.is_empty())
-        .collect();
+    ]);
     let content = html! {
         (overview::overview(study, result))
-        nav aria-label="Contents" {
-            @for (id, heading, _) in &sections { a href={ "#" (id) } { (heading) } " " }
-        }
-        @for (id, heading, content) in &sections {
-            section #(id) { h2 { (heading) } (content) }
-        }
+        (contents(&parts))
+        (sections(&parts))
     };
     document(
         &overview::title(study),

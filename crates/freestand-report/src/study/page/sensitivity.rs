@@ -11,11 +11,9 @@ use crate::doubts::{no_result, not_varied};
 use freestand_output::html::{Cell, classed_table, list, words};
 use maud::{Markup, html};
 
-/// A table for each level; empty where nothing was varied.
-pub(super) fn sensitivity(result: &StudyResult) -> Markup {
-    let Some(sensitivity) = &result.sensitivity else {
-        return Markup::default();
-    };
+/// A table for each level; `None`: nothing was varied.
+pub(super) fn sensitivity(result: &StudyResult) -> Option<Markup> {
+    let sensitivity = result.sensitivity.as_ref()?;
     let headings = headings(
         ["Changed"],
         [
@@ -41,7 +39,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> Markup {
         }
     }
     remarks.extend(sensitivity.left_out.iter().map(not_varied));
-    html! {
+    Some(html! {
         p {
             "One value of the study is changed at a time. Ratio: the sum of the median shocks of the objects, divided \
              by the same sum for the unchanged study; objects that half or more of the motions overturn in either are \
@@ -49,7 +47,7 @@ pub(super) fn sensitivity(result: &StudyResult) -> Markup {
         }
         @for level in &result.levels { (level_table(&level.level.name)) }
         @if !remarks.is_empty() { (list(remarks.iter().map(|one| KeyStyle::Flag.shown(one)))) }
-    }
+    })
 }
 
 /// Why there is no result, or the additional warnings of this change.

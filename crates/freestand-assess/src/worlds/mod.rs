@@ -1,14 +1,14 @@
 //! The worlds of a study: ground motions and building, drawn again in each world, and the motions
 //! of any floor in it.
 
+mod floor;
+
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use freestand::building::{Building, floor_motions};
 use freestand::motion::Motion;
-use freestand::respond::{Along, Shaking};
-use freestand::rocking::Base;
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{
     BuildingDraw, BuildingSpread, Component, GroundSpread, Group, Pulses, SpreadOptions, WorldDraw,
@@ -27,6 +27,8 @@ use freestand_study::study::{
     BuildingInput, Ground, Level, RecordedMotion, Study, SyntheticGround, VerticalTarget,
 };
 
+pub use floor::{FloorOfWorld, HorizontalPeaks};
+
 /// Largest difference between two level ratios of the same floor: inventories give two or three
 /// digits.
 const SAME_LEVEL: f64 = 5e-3;
@@ -34,7 +36,7 @@ const SAME_LEVEL: f64 = 5e-3;
 /// Ground motions that are kept in memory, and as many floors: 1280 worlds of two components of 45 s take 190 MB.
 const MAX_KEPT: usize = 1536;
 
-/// Floors whose peaks are kept: 40 bytes each.
+/// Floors whose peaks are kept, in 21 MB.
 const MAX_PEAKS: usize = 1 << 18;
 
 /// The motions of worlds, kept from one request to the next: whoever moves a slider asks about many
@@ -58,6 +60,9 @@ struct Remembered {
 
 /// Floors by the number of their world and the bits of their level.
 type KeptFloors = HashMap<(u32, u64), Arc<FloorOfWorld>>;
+
+/// Their peaks, likewise.
+type KeptPeaks = HashMap<(u32, u64), HorizontalPeaks>;
 
 impl Remembered {
     fn of(study: &Study) -> Self {
@@ -102,8 +107,8 @@ pub struct Worlds<'a> {
     on_disk: Option<Arc<KeptMotions>>,
     /// Floors at the intensity of the study; `None`: they are not kept.
     floors: Option<Arc<Mutex<KeptFloors>>>,
-    /// The peaks of floors that were made, likewise.
-    peaks: Arc<Mutex<HashMap<(u32, u64), FloorPeaks>>>,
+    /// The peaks of floors that were made at the intensity of the study.
+    peaks: Arc<Mutex<KeptPeaks>>,
 }
 
 /// Ground motions by the number of their world, and how often they were drawn again.
@@ -138,125 +143,6 @@ pub struct GroundOfWorld {
     pub vertical: Option<Motion>,
     /// The motion that the worlds use in turn, where they do.
     pub record: Option<String>,
-}
-
-/// The motion of a floor in a world, and its peaks.
-#[derive(Debug, Clone)]
-pub struct FloorOfWorld {
-    /// Its horizontal components.
-    pub motion: HorizontalMotion,
-    /// Its vertical component, if it has one.
-    vertical: Option<Motion>,
-    /// Peak acceleration in any direction \[m/s²\].
-    pub pfa_m_s2: f64,
-    velocity_m_s: OnceLock<f64>,
-}
-
-impl FloorOfWorld {
-    fn new(motion: HorizontalMotion, vertical: Option<Motion>) -> Self {
-        Self {
-            pfa_m_s2: motion.peak_m_s2(),
-            velocity_m_s: OnceLock::new(),
-            motion,
-            vertical,
-        }
-    }
-
-    /// One that moves as given, in every direction alike.
-    pub fn given(horizontal: &Motion, vertical: Option<&Motion>) -> Self {
-        Self::new(
-            HorizontalMotion {
-                along: horizontal.clone(),
-                across: None,
-            },
-            vertical.cloned(),
-        )
-    }
-
-    /// Every component multiplied by a factor; `None` where their numbers have no end.
-    pub fn scaled(&self, scale_ratio: f64) -> Option<Self> {
-        let scaled = |motion: Option<&Motion>| {
-            motion
-                .map(|motion| motion.scaled(scale_ratio))
-                .transpose()
-                .ok()
-        };
-        Some(Self {
-            motion: HorizontalMotion {
-                along: self.motion.along.scaled(scale_ratio).ok()?,
-                across: scaled(self.motion.across.as_ref())?,
-            },
-            vertical: scaled(self.vertical.as_ref())?,
-            pfa_m_s2: self.pfa_m_s2 * scale_ratio,
-            velocity_m_s: OnceLock::new(),
-        })
-    }
-
-    /// What is left of its motion from a sample on; `None`: less than two samples.
-    pub fn from_sample(&self, sample: usize) -> Option<Self> {
-        let rest = |motion: &Motion| {
-            let samples = motion.accel_m_s2().get(sample..)?;
-            Motion::new(motion.dt_s(), samples.to_vec()).ok()
-        };
-        let across = self.motion.across.as_ref();
-        let motion = HorizontalMotion {
-            along: rest(&self.motion.along)?,
-            across: across.map(rest).map_or(Some(None), |rest| rest.map(Some))?,
-        };
-        let vertical = self.vertical.as_ref();
-        let vertical = vertical
-            .map(rest)
-            .map_or(Some(None), |rest| rest.map(Some))?;
-        Some(Self::new(motion, vertical))
-    }
-
-    /// The same, in which the acceleration of the floor itself counts for nothing: only what the object
-    /// does.
-    pub fn without_peak(self) -> Self {
-        Self {
-            pfa_m_s2: 0.0,
-            ..self
-        }
-    }
-
-    /// Peak velocity in any direction \[m/s\]; it is calculated where somebody asks.
-    pub fn pfv_m_s(&self) -> f64 {
-        *self
-            .velocity_m_s
-            .get_or_init(|| self.motion.peak_velocity_m_s())
-    }
-
-    /// The accelerations of all its components.
-    pub fn shaking(&self) -> Shaking<'_> {
-        Shaking {
-            x: Some(&self.motion.along),
-            y: self.motion.across.as_ref(),
-            vertical: self.vertical.as_ref(),
-        }
-    }
-
-    /// How the base of an object moves in a plane.
-    pub fn base(&self, along: Along) -> Base<'_> {
-        self.shaking().base(along)
-    }
-}
-
-/// Peak accelerations of a floor in a world.
-#[derive(Debug, Clone, Copy)]
-pub struct FloorPeaks {
-    /// Of its first horizontal component \[m/s²\].
-    pub along_m_s2: f64,
-    /// Of its second one, if it has one \[m/s²\].
-    pub across_m_s2: Option<f64>,
-}
-
-impl FloorPeaks {
-    fn of(motion: &HorizontalMotion) -> Self {
-        Self {
-            along_m_s2: motion.along.peak_m_s2(),
-            across_m_s2: motion.across.as_ref().map(Motion::peak_m_s2),
-        }
-    }
 }
 
 /// What a building is in a world, at the first axis.
@@ -413,23 +299,27 @@ impl<'a> Worlds<'a> {
     }
 
     fn keep_peaks(&self, world: u32, levels_ratio: &[f64], floors: &[FloorOfWorld]) {
+        let made = levels_ratio.iter().zip(floors).map(|(level_ratio, floor)| {
+            let key = (world, level_ratio.to_bits());
+            (key, HorizontalPeaks::of(&floor.motion))
+        });
+        let made: Vec<_> = made.collect();
         let mut peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
         let room = MAX_PEAKS.saturating_sub(peaks.len());
-        let made = levels_ratio.iter().zip(floors).take(room);
-        peaks.extend(made.map(|(level_ratio, floor)| {
-            let key = (world, level_ratio.to_bits());
-            (key, FloorPeaks::of(&floor.motion))
-        }));
+        peaks.extend(made.into_iter().take(room));
     }
 
-    /// The peaks of some floors in one world at the intensity of the study: only floors that were not made before
-    /// are made.
+    /// The peaks of some floors in one world at the intensity of the study; only floors that are not known yet are
+    /// made.
+    ///
+    /// # Errors
+    /// A motion that cannot be generated.
     pub fn floor_peaks(
         &self,
         world: u32,
         levels_ratio: &[f64],
-    ) -> Result<Vec<FloorPeaks>, Problems> {
-        let known: Vec<Option<FloorPeaks>> = {
+    ) -> Result<Vec<HorizontalPeaks>, Problems> {
+        let known: Vec<Option<HorizontalPeaks>> = {
             let peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
             let of = |level_ratio: &f64| peaks.get(&(world, level_ratio.to_bits())).copied();
             levels_ratio.iter().map(of).collect()
@@ -441,9 +331,12 @@ impl<'a> Worlds<'a> {
             .collect();
         let made = match unknown.is_empty() {
             true => Vec::new(),
-            false => self.floors_of_world(world, &unknown, Again::default(), None)?,
+            false => {
+                self.at_intensity(1.0)
+                    .floors_of_world(world, &unknown, Again::default(), None)?
+            }
         };
-        let mut made = made.iter().map(|floor| FloorPeaks::of(&floor.motion));
+        let mut made = made.iter().map(|floor| HorizontalPeaks::of(&floor.motion));
         Ok(known
             .iter()
             .filter_map(|known| known.or_else(|| made.next()))
