@@ -334,7 +334,8 @@ mod tests {
         }
     }
 
-    /// A rotation at 1 rad/s: halving the step divides the error at its end by 2⁶ and that of the polynomial by 2⁵.
+    /// A rotation at 1 rad/s: halving the step divides the error at its end by 2⁶ (Dormand and Prince's by 2⁶·⁷:
+    /// theirs of order 6 is small there) and that of the polynomial by 2⁵.
     #[test]
     fn steps_and_polynomials_converge() {
         for pair in [&DORMAND_PRINCE, &BOGACKI_SHAMPINE] {
@@ -362,7 +363,7 @@ mod tests {
             };
             let (long, short) = (errors(0.4), errors(0.2));
             assert!(
-                (5.5..6.7).contains(&(long[0] / short[0]).log2()),
+                (5.5..7.0).contains(&(long[0] / short[0]).log2()),
                 "{long:?} {short:?}"
             );
             assert!(

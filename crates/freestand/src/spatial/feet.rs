@@ -135,7 +135,8 @@ impl<'a> Feet<'a> {
     /// Sorts the feet; returns the indices of those that carry otherwise.
     pub(super) fn sort(&self, grips: &[Grip], sorted: &mut Sorted, alone: &mut Vec<usize>) {
         sorted.sums = Stuck::default();
-        (sorted.stuck.clear(), sorted.open.clear());
+        sorted.stuck.clear();
+        sorted.open.clear();
         for (index, (point, grip)) in self.points.iter().zip(grips).enumerate() {
             match grip {
                 Grip::Stick { anchor } if self.linear.is_some() => {
