@@ -1,4 +1,4 @@
-//! One-dimensional searches: a root by bisection, a maximum by golden section.
+//! One-dimensional searches: a root by bisection or by false position, a maximum by golden section.
 
 /// The point between `low` and `high` where `is_beyond` changes from false to true, by bisection to
 /// the last digit.
@@ -14,6 +14,37 @@ pub(crate) fn bisect(mut low: f64, mut high: f64, is_beyond: impl Fn(f64) -> boo
             low = middle
         }
     }
+}
+
+/// Where a smooth value that is positive at `low` and not at `high` passes zero, to `within`: by false position, with
+/// bisection where a value is infinite. Both ends come with their values.
+pub(crate) fn falls(
+    (mut low, mut above): (f64, f64),
+    (mut high, mut below): (f64, f64),
+    within: f64,
+    value: impl Fn(f64) -> f64,
+) -> f64 {
+    let mut last_was_above = None;
+    while high - low > within {
+        let share = above / (above - below);
+        let share = if share.is_finite() { share } else { 0.5 };
+        // Not nearer to an end than `within`, so that both ends close in.
+        let inset = 0.5 * within / (high - low);
+        let middle = low + (high - low) * share.clamp(inset, 1.0 - inset);
+        let found = value(middle);
+        let is_above = found > 0.0;
+        // An end that stays counts half, so that it moves soon (the Illinois method).
+        let stays = last_was_above == Some(is_above);
+        if is_above {
+            (low, above) = (middle, found);
+            below *= if stays { 0.5 } else { 1.0 };
+        } else {
+            (high, below) = (middle, found);
+            above *= if stays { 0.5 } else { 1.0 };
+        }
+        last_was_above = Some(is_above);
+    }
+    high
 }
 
 /// The largest value of a function with a single maximum between `low` and `high`, by golden
@@ -50,6 +81,24 @@ fn golden(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_value_falls_through_zero_once() {
+        let within = 1e-9;
+        let of =
+            |value: &dyn Fn(f64) -> f64| falls((0.0, value(0.0)), (1.0, value(1.0)), within, value);
+        for root in [1e-7, 0.1, 0.5, 0.9, 1.0] {
+            let bent = |x: f64| (root - x) * (1.0 + 30.0 * x * x);
+            assert!((of(&bent) - root).abs() <= within, "{root}");
+            let steep = |x: f64| (50.0 * (root - x)).exp() - 1.0;
+            assert!((of(&steep) - root).abs() <= within, "{root}");
+            let endless = |x: f64| if x <= root { f64::INFINITY } else { -1.0 };
+            let sure = falls((0.0, f64::INFINITY), (1.0, -1.0), within, endless);
+            assert!((sure - root).abs() <= within, "{root}");
+        }
+        // A flat stretch counts as below.
+        assert!((of(&|x| (0.3 - x).max(0.0)) - 0.3).abs() <= 1e-6);
+    }
 
     #[test]
     fn the_top_of_a_parabola_and_of_an_edge() {

@@ -99,7 +99,15 @@ impl Pad<'_> {
             ContactLaw::KelvinVoigt {
                 stiffness_n_m,
                 damping_n_s_m,
-            } => compression_m * (-stiffness_n_m / damping_n_s_m * gone_s).exp(),
+            } => {
+                let recovered = stiffness_n_m / damping_n_s_m * gone_s;
+                // e⁻⁵⁰ of a compression is below its rounding, and an underflow takes long.
+                if recovered > 50.0 {
+                    0.0
+                } else {
+                    compression_m * (-recovered).exp()
+                }
+            }
             ContactLaw::HuntCrossley {
                 dissipation_s_m, ..
             } => (compression_m - gone_s / dissipation_s_m).max(0.0),

@@ -106,17 +106,22 @@ pub(crate) struct Trial {
 }
 
 /// Takes a step that is accurate and ends no later than its first event; returns the length to try next, and whether there
-/// is an event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event.
+/// is an event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event,
+/// and anything from its last argument on counts as much as that.
 pub(crate) fn next<const N: usize>(
     step: &mut Step<N>,
     trial: Trial,
     take: impl Fn(&mut Step<N>, f64) -> f64,
-    margin: impl Fn(f64, &[f64; N]) -> f64 + Copy,
+    margin: impl Fn(f64, &[f64; N], f64) -> f64 + Copy,
     effort: &mut CompliantEffort,
 ) -> Result<(f64, bool), CompliantError> {
-    let grow = accurate(trial, |length_s| take(step, length_s), effort)?;
-    let event = first_event(step, trial.unit_s, margin);
+    let evaluations = step.evaluations();
+    let take_one = |length_s: f64| take(step, length_s);
+    let grow = accurate(trial, take_one, evaluations, effort)?;
+    let is_past = |time_s: f64, y: &[f64; N]| margin(time_s, y, 0.0) < 0.0;
+    let event = first_event(step, trial.unit_s, is_past);
     if let Some(share) = event {
+        let margin = |time_s: f64, y: &[f64; N]| margin(time_s, y, f64::INFINITY);
         let share = trial
             .near
             .map_or(share, |near| nearer(step, share, near, margin));
@@ -131,6 +136,7 @@ pub(crate) fn next<const N: usize>(
 fn accurate(
     trial: Trial,
     mut take: impl FnMut(f64) -> f64,
+    evaluations: usize,
     effort: &mut CompliantEffort,
 ) -> Result<f64, CompliantError> {
     let mut length_s = trial.try_s.min(trial.longest_s);
@@ -141,7 +147,7 @@ fn accurate(
     }
     loop {
         let error_ratio = take(length_s);
-        effort.evaluations += 6;
+        effort.evaluations += evaluations;
         if error_ratio <= 1.0 {
             let growth = (0.9 * error_ratio.powf(-0.2)).clamp(0.5, 4.0);
             return Ok(growth * length_s);
@@ -163,12 +169,11 @@ fn accurate(
     }
 }
 
-/// A share of the step by which an event has passed, if there is one; `margin` is negative past an
-/// event.
+/// A share of the step by which an event has passed, if there is one.
 fn first_event<const N: usize>(
     step: &Step<N>,
     unit_s: f64,
-    margin: impl Fn(f64, &[f64; N]) -> f64,
+    is_past: impl Fn(f64, &[f64; N]) -> bool,
 ) -> Option<f64> {
     let checks = (step.length_s / (CHECK_RAD * unit_s))
         .ceil()
@@ -178,9 +183,9 @@ fn first_event<const N: usize>(
         .find(|&share| {
             let time_s = step.start_s + share * step.length_s;
             if share == 1.0 {
-                margin(time_s, &step.end) < 0.0
+                is_past(time_s, &step.end)
             } else {
-                margin(time_s, &step.state(share)) < 0.0
+                is_past(time_s, &step.state(share))
             }
         })
 }
@@ -237,7 +242,7 @@ fn shortened<const N: usize>(
     let shortest_s = SHORTEST_RAD * unit_s;
     let mut low_margin = margin(step.start_s, &step.start);
     let mut margin_after = |step: &mut Step<N>, length_s: f64| {
-        effort.evaluations += 6;
+        effort.evaluations += step.evaluations();
         take(step, length_s);
         margin(step.start_s + step.length_s, &step.end)
     };

@@ -55,14 +55,14 @@ impl Tail {
     }
 
     /// A step after the motion has ended; `is_held`: all its feet carry it, or a wall does.
-    pub(crate) fn step(&mut self, time_s: f64, ledger: &Ledger, is_held: bool) {
+    pub(crate) fn step(&mut self, time_s: f64, ledger: &Ledger, is_held: impl FnOnce() -> bool) {
         if !(self.is_quiet && self.ends) {
             return;
         }
         let quiet_since_s = *self.quiet_since_s.get_or_insert(time_s);
         if time_s - quiet_since_s >= CERTAIN_S && self.stays_up(ledger) {
             self.is_over = true;
-        } else if !is_held || ledger.audit.kinetic_j > CALM_RATIO * self.rest_j {
+        } else if ledger.audit.kinetic_j > CALM_RATIO * self.rest_j || !is_held() {
             self.calm_since_s = None;
         } else {
             self.is_over = time_s - *self.calm_since_s.get_or_insert(time_s) >= CALM_S;

@@ -1,7 +1,7 @@
 //! The equations of motion of rigid bodies in space on contact elements.
 
 use super::element::{Element, Grip};
-use super::feet::{self, Feet, Stuck};
+use super::feet::{Feet, Push, Sorted};
 use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY, vector};
 use crate::compliant::Energies;
 use crate::space::{
@@ -77,8 +77,7 @@ pub(super) struct Load {
 #[derive(Debug, Clone)]
 pub(super) struct Grips {
     each: Vec<Grip>,
-    /// The feet that stick together.
-    stuck: Stuck,
+    feet: Sorted,
     /// All other elements that carry.
     alone: Vec<usize>,
 }
@@ -87,7 +86,7 @@ impl Grips {
     pub(super) fn new(world: &World<'_>, each: Vec<Grip>) -> Self {
         let mut grips = Self {
             each,
-            stuck: Stuck::default(),
+            feet: Sorted::default(),
             alone: Vec::new(),
         };
         grips.sort(world);
@@ -98,6 +97,15 @@ impl Grips {
         &self.each
     }
 
+    pub(super) fn feet(&self) -> &Sorted {
+        &self.feet
+    }
+
+    /// The elements that carry, but for feet that stick together.
+    pub(super) fn alone(&self) -> &[usize] {
+        &self.alone
+    }
+
     /// Gives an element another grip; [`Grips::sort`] comes after all changes.
     pub(super) fn set(&mut self, index: usize, grip: Grip) {
         self.each[index] = grip;
@@ -105,9 +113,9 @@ impl Grips {
 
     pub(super) fn sort(&mut self, world: &World<'_>) {
         self.alone.clear();
-        self.stuck = world.feet.as_ref().map_or(Stuck::default(), |feet| {
-            feet.sort(&self.each, &mut self.alone)
-        });
+        if let Some(feet) = &world.feet {
+            feet.sort(&self.each, &mut self.feet, &mut self.alone);
+        }
         let others = self.each.iter().enumerate().skip(world.feet());
         self.alone.extend(
             others
@@ -319,14 +327,21 @@ impl<'a> World<'a> {
         rates: &mut State,
     ) {
         rates[self.behind()..self.len()].fill(0.0);
-        let poses = self.poses(y);
-        let (mut forces, mut torques) = ([[0.0; 3]; MAX_BODIES], [[0.0; 3]; MAX_BODIES]);
-        let behind = self.behind();
-        if let Some(feet) = self.feet.as_ref().filter(|_| !grips.stuck.is_empty()) {
-            let push = feet.push(&grips.stuck, &poses[0]);
-            feet::add(&push, &mut forces[0], &mut torques[0]);
-            rates[behind + DASHPOT] += push.dissipated_w;
+        let lower = Pose::at(y);
+        let mut push = Push::default();
+        if let Some(feet) = self.feet.as_ref().filter(|_| !grips.feet.sums.is_empty()) {
+            push = feet.push(&grips.feet.sums, &lower);
+            rates[self.behind() + DASHPOT] = push.dissipated_w;
         }
+        let shaking = line.at(time_s);
+        if grips.alone.is_empty() && self.bodies.len() == 1 {
+            // Most steps: no pose or force goes through the memory.
+            self.enter_body(0, (push.force, push.torque), (y, &lower), shaking, rates);
+            return;
+        }
+        let poses = self.poses(y);
+        let (mut forces, mut torques) = ([push.force, [0.0; 3]], [push.torque, [0.0; 3]]);
+        let behind = self.behind();
         for &index in &grips.alone {
             let (element, grip) = (&self.elements[index], grips.each[index]);
             let foot = self.foot(element, &poses);
@@ -350,27 +365,42 @@ impl<'a> World<'a> {
                 rates[direction] = self.veering(element, &foot, &load);
             }
         }
-        let [x, back_, up] = line.at(time_s);
-        let shaking = [x, back_, self.gravity + up];
-        for (index, body) in self.bodies.iter().enumerate() {
-            let (at, pose) = (BODY * index, &poses[index]);
-            if self.is_planar {
-                forces[index][1] = 0.0;
-                (torques[index][0], torques[index][2]) = (0.0, 0.0);
-            }
-            let spin = vector(y, at + SPIN);
-            let torque = turned_back(&pose.shift, &torques[index]);
-            let [a, b, c] = body.inertia;
-            let momentum = [a * spin[0], b * spin[1], c * spin[2]];
-            let gyroscopic = cross(&spin, &momentum);
-            for axis in 0..3 {
-                rates[at + PLACE + axis] = pose.velocity[axis];
-                rates[at + VELOCITY + axis] = forces[index][axis] / body.mass - shaking[axis];
-                rates[at + SPIN + axis] = (torque[axis] - gyroscopic[axis]) / body.inertia[axis];
-            }
-            rates[at + TURN..at + TURN + 4].copy_from_slice(&turning(&pose.turn, &spin));
-            rates[behind + WORK] -= body.mass * dot(&[x, back_, up], &pose.velocity);
+        for index in 0..self.bodies.len() {
+            let load = (forces[index], torques[index]);
+            self.enter_body(index, load, (y, &poses[index]), shaking, rates);
         }
+    }
+
+    /// The rates of a body with this force and torque in floor axes.
+    #[inline(always)]
+    fn enter_body(
+        &self,
+        index: usize,
+        (mut force, mut torque): (Vector, Vector),
+        (y, pose): (&State, &Pose),
+        shaking: Vector,
+        rates: &mut State,
+    ) {
+        let (at, body) = (BODY * index, &self.bodies[index]);
+        if self.is_planar {
+            force[1] = 0.0;
+            (torque[0], torque[2]) = (0.0, 0.0);
+        }
+        let spin = vector(y, at + SPIN);
+        let torque = turned_back(&pose.shift, &torque);
+        let [a, b, c] = body.inertia;
+        let gyroscopic = cross(&spin, &[a * spin[0], b * spin[1], c * spin[2]]);
+        // Known before the forces are: their divisions would wait.
+        let per_mass = 1.0 / body.mass;
+        let per_inertia = body.inertia.map(|inertia| 1.0 / inertia);
+        let fallen = [shaking[0], shaking[1], self.gravity + shaking[2]];
+        for axis in 0..3 {
+            rates[at + PLACE + axis] = pose.velocity[axis];
+            rates[at + VELOCITY + axis] = force[axis] * per_mass - fallen[axis];
+            rates[at + SPIN + axis] = (torque[axis] - gyroscopic[axis]) * per_inertia[axis];
+        }
+        rates[at + TURN..at + TURN + 4].copy_from_slice(&turning(&pose.turn, &spin));
+        rates[self.behind() + WORK] -= body.mass * dot(&shaking, &pose.velocity);
     }
 
     /// The force on the body with the point, in floor axes.
@@ -460,7 +490,7 @@ impl<'a> World<'a> {
     }
 
     /// Where the energy is.
-    pub(super) fn energies(&self, grips: &[Grip], y: &State, poses: &Poses) -> Energies {
+    pub(super) fn energies(&self, grips: &Grips, y: &State, poses: &Poses) -> Energies {
         let (mut kinetic_j, mut potential_j) = (0.0, 0.0);
         for (body, y) in self.bodies.iter().zip(y.chunks_exact(BODY)) {
             let (velocity, spin) = (vector(y, VELOCITY), vector(y, SPIN));
@@ -471,31 +501,24 @@ impl<'a> World<'a> {
                     .sum::<f64>();
             potential_j += body.mass * self.gravity * y[PLACE + 2];
         }
-        let stored = |(element, &grip): (&Element, &Grip)| match grip {
-            Grip::Open { .. } | Grip::Gone => 0.0,
+        let stored = |&index: &usize| {
+            let (element, grip) = (&self.elements[index], grips.each[index]);
             // The energy of a slipping spring is counted with the slip.
-            Grip::Slip => element.pad.pressed_j(self.compression(element, poses)),
-            Grip::Stick { .. } => {
-                let foot = self.foot(element, poses);
-                element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
+            if grip == Grip::Slip {
+                return element.pad.pressed_j(self.compression(element, poses));
             }
+            let foot = self.foot(element, poses);
+            element.pad.pressed_j(foot.compression) + self.sheared_j(element, grip, &foot, y)
         };
         let of_feet_j = self
             .feet
             .as_ref()
-            .map_or(0.0, |feet| feet.stored_j(grips, &poses[0]));
+            .map_or(0.0, |feet| feet.stored_j(&grips.feet.sums, &poses[0]));
         let behind = self.behind();
         Energies {
             kinetic_j,
             potential_j,
-            stored_j: of_feet_j
-                + self
-                    .elements
-                    .iter()
-                    .zip(grips)
-                    .skip(self.feet())
-                    .map(stored)
-                    .sum::<f64>(),
+            stored_j: of_feet_j + grips.alone.iter().map(stored).sum::<f64>(),
             base_work_j: y[behind + WORK],
             cushion_dissipation_j: y[behind + DASHPOT],
             tangential_dissipation_j: 0.0,

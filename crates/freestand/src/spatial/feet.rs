@@ -4,7 +4,7 @@
 use super::element::{Element, Grip};
 use super::pose::{Flat, Pose};
 use crate::compliant::pad::Pad;
-use crate::space::{Vector, difference, sum, turned};
+use crate::space::{Vector, difference, turned};
 
 /// The feet of the only body: the first elements of a world.
 #[derive(Debug, Clone)]
@@ -36,6 +36,31 @@ pub(super) struct Stuck {
     anchor: [f64; 2],
     x_anchor: [f64; 2],
     y_anchor: [f64; 2],
+    /// Σ a² of each axis.
+    anchor_squared: [f64; 2],
+}
+
+/// Far more than rounding changes a margin of the order of 1.
+const ROUNDED: f64 = 1e-6;
+
+/// The feet, sorted by how they hold on.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Sorted {
+    pub(super) sums: Stuck,
+    /// Places of those that stick and of those without contact.
+    stuck: Vec<[f64; 2]>,
+    open: Vec<[f64; 2]>,
+}
+
+/// What the margins of feet need of a pose: as functions of their places, displacements, how much longer a foot that
+/// sticks pushes ([`Pad::pushes`]), and its force as a share of the weight.
+struct Planes {
+    time_s: f64,
+    right: Flat,
+    back: Flat,
+    up: Flat,
+    pushes: Flat,
+    carried: Flat,
 }
 
 impl Stuck {
@@ -54,11 +79,27 @@ impl Stuck {
             self.anchor[axis] += anchor;
             self.x_anchor[axis] += x * anchor;
             self.y_anchor[axis] += y * anchor;
+            self.anchor_squared[axis] += anchor * anchor;
         }
+    }
+
+    /// Σ f².
+    #[inline]
+    fn squares(&self, Flat { at, x, y }: Flat) -> f64 {
+        at * (self.count * at + 2.0 * (x * self.x + y * self.y))
+            + ((x * x * self.xx + y * y * self.yy) + 2.0 * x * y * self.xy)
+    }
+
+    /// Σ (f − a)² along an axis.
+    fn stretch_squared(&self, flat: Flat, axis: usize) -> f64 {
+        let by_anchor = flat.at * self.anchor[axis]
+            + (flat.x * self.x_anchor[axis] + flat.y * self.y_anchor[axis]);
+        self.squares(flat) - 2.0 * by_anchor + self.anchor_squared[axis]
     }
 }
 
 /// What the feet that stick do to the body, in floor axes.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Push {
     pub(super) force: Vector,
     /// About the centre of gravity.
@@ -91,21 +132,27 @@ impl<'a> Feet<'a> {
         self.points.len()
     }
 
-    /// The sums over the feet that stick, and the indices of those that carry otherwise.
-    pub(super) fn sort(&self, grips: &[Grip], alone: &mut Vec<usize>) -> Stuck {
-        let mut stuck = Stuck::default();
+    /// Sorts the feet; returns the indices of those that carry otherwise.
+    pub(super) fn sort(&self, grips: &[Grip], sorted: &mut Sorted, alone: &mut Vec<usize>) {
+        sorted.sums = Stuck::default();
+        sorted.stuck.clear();
+        sorted.open.clear();
         for (index, (point, grip)) in self.points.iter().zip(grips).enumerate() {
             match grip {
-                Grip::Stick { anchor } if self.linear.is_some() => stuck.add(*point, *anchor),
+                Grip::Stick { anchor } if self.linear.is_some() => {
+                    sorted.sums.add(*point, *anchor);
+                    sorted.stuck.push(*point);
+                }
                 Grip::Stick { .. } | Grip::Slip => alone.push(index),
-                Grip::Open { .. } | Grip::Gone => {}
+                Grip::Open { .. } => sorted.open.push(*point),
+                Grip::Gone => {}
             }
         }
-        stuck
     }
 
     /// What the feet that stick do to the body: with f = f₀ + Mp + k_t a of each, Σf and
     /// Σ(Qp) × f from Σ f pᵀ.
+    #[inline(always)]
     pub(super) fn push(&self, stuck: &Stuck, pose: &Pose) -> Push {
         let [k, c] = self.linear.unwrap_or_default();
         let rising = pose.rising(self.z);
@@ -135,102 +182,126 @@ impl<'a> Feet<'a> {
         // Σ f (Qp)ᵀ.
         let turned = |by_place: Vector| turned(&pose.shift, &by_place);
         let (x, y, z) = (turned(by_right), turned(by_back), turned(by_up));
-        let Flat { at, x: rx, y: ry } = rising;
-        let squares = (rx * rx * stuck.xx + ry * ry * stuck.yy) + 2.0 * rx * ry * stuck.xy;
         Push {
             force: [right, back, up],
             torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
-            dissipated_w: c
-                * (at * (stuck.count * at + 2.0 * (rx * stuck.x + ry * stuck.y)) + squares),
+            dissipated_w: c * stuck.squares(rising),
         }
     }
 
     /// No foot is higher above its unloaded cushion than this.
     pub(super) fn highest_m(&self, pose: &Pose) -> f64 {
-        let Flat { at, x, y } = pose.displacement(self.z, 2);
-        at + self.reach * (x * x + y * y).sqrt()
+        pose.displacement(self.z, 2).most_within(self.reach)
+    }
+
+    /// What their margins need of a pose.
+    fn planes(&self, time_s: f64, pose: &Pose) -> Planes {
+        let [right, back, up] = [0, 1, 2].map(|axis| pose.displacement(self.z, axis));
+        let (pushes, carried) = match self.linear {
+            Some([k, c]) => {
+                let carried = up
+                    .times(-k / self.weight_n)
+                    .plus(pose.rising(self.z).times(-c / self.weight_n));
+                let pressed = up.times(-1.0 / self.unit_m);
+                (if c > 0.0 { carried } else { pressed }, carried)
+            }
+            None => (up, up),
+        };
+        Planes {
+            time_s,
+            right,
+            back,
+            up,
+            pushes,
+            carried,
+        }
+    }
+
+    /// How far a foot is from its next event; `None` if it carries otherwise than on a spring and a dashpot that stick.
+    fn margin_of(&self, planes: &Planes, index: usize, grip: Grip) -> Option<f64> {
+        let point = self.points[index];
+        match grip {
+            Grip::Gone => Some(f64::INFINITY),
+            Grip::Open {
+                since_s,
+                compression_m,
+            } => {
+                let surface_m = self.pad.surface(since_s, compression_m, planes.time_s);
+                Some((surface_m + planes.up.of(point)) / self.unit_m)
+            }
+            Grip::Stick { anchor } if self.linear.is_some() => {
+                let pushes = planes.pushes.of(point);
+                let Some(friction) = self.friction else {
+                    return Some(pushes);
+                };
+                let a = planes.right.of(point) - anchor[0];
+                let b = planes.back.of(point) - anchor[1];
+                let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
+                let grips = friction * planes.carried.of(point) - tangential_n / self.weight_n;
+                Some(pushes.min(grips))
+            }
+            Grip::Stick { .. } | Grip::Slip => None,
+        }
     }
 
     /// How far the feet are from their next event, if that is less than `least`: the least of both.
     /// `of` gives it for a foot that carries otherwise than on a spring and a dashpot that stick.
     pub(super) fn margin(
         &self,
-        grips: &[Grip],
+        (grips, sorted): (&[Grip], &Sorted),
         (time_s, pose): (f64, &Pose),
         mut least: f64,
         of: impl Fn(usize) -> f64,
     ) -> f64 {
-        let (right, back, up) = (
-            pose.displacement(self.z, 0),
-            pose.displacement(self.z, 1),
-            pose.displacement(self.z, 2),
-        );
-        // How much longer a foot that sticks pushes ([`Pad::pushes`]), and its force as a share of the weight.
-        let per_unit = 1.0 / self.unit_m;
-        let (pushes, carried) = match self.linear {
-            Some([k, c]) => {
-                let carried = up
-                    .times(-k / self.weight_n)
-                    .plus(pose.rising(self.z).times(-c / self.weight_n));
-                let pressed = up.times(-per_unit);
-                (if c > 0.0 { carried } else { pressed }, carried)
+        let planes = self.planes(time_s, pose);
+        // A surface that still recovers is no lower than the unloaded cushion.
+        let lowest_open_m = planes.up.least(&sorted.open);
+        let mut open_is_near = lowest_open_m < least * self.unit_m;
+        if !self.pad.is_damped() {
+            // It has recovered at once.
+            least = least.min(lowest_open_m / self.unit_m);
+            open_is_near = false;
+        }
+        let sticks_by_force = self.linear.is_some() && self.friction.is_none();
+        if sticks_by_force {
+            least = least.min(planes.pushes.least(&sorted.stuck));
+            if !open_is_near {
+                return least;
             }
-            None => (up, up),
-        };
-        for (index, (&point, grip)) in self.points.iter().zip(grips).enumerate() {
-            let margin = match *grip {
-                Grip::Gone => continue,
-                Grip::Open {
-                    since_s,
-                    compression_m,
-                } => {
-                    // A surface that still recovers is no lower than the unloaded cushion.
-                    let height = up.of(point);
-                    if height * per_unit >= least {
-                        continue;
-                    }
-                    (self.pad.surface(since_s, compression_m, time_s) + height) * per_unit
-                }
-                Grip::Stick { anchor } if self.linear.is_some() => match self.friction {
-                    None => pushes.of(point),
-                    Some(friction) => {
-                        let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
-                        let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
-                        let grips = friction * carried.of(point) - tangential_n / self.weight_n;
-                        pushes.of(point).min(grips)
-                    }
-                },
-                Grip::Stick { .. } | Grip::Slip => of(index),
+        }
+        for (index, &grip) in grips.iter().take(self.len()).enumerate() {
+            let is_known = match grip {
+                Grip::Open { .. } => planes.up.of(self.points[index]) >= least * self.unit_m,
+                Grip::Stick { .. } => sticks_by_force,
+                Grip::Slip => false,
+                Grip::Gone => true,
             };
-            least = least.min(margin);
+            if !is_known {
+                let margin = self.margin_of(&planes, index, grip);
+                least = least.min(margin.unwrap_or_else(|| of(index)));
+            }
         }
         least
     }
 
-    /// Energy in the springs; those of feet that slip are counted with the slip.
-    pub(super) fn stored_j(&self, grips: &[Grip], pose: &Pose) -> f64 {
-        let (right, back, up) = (
-            pose.displacement(self.z, 0),
-            pose.displacement(self.z, 1),
-            pose.displacement(self.z, 2),
-        );
-        let of = |(&point, grip): (&[f64; 2], &Grip)| {
-            let sheared_j = match grip {
-                Grip::Open { .. } | Grip::Gone => return 0.0,
-                Grip::Slip => 0.0,
-                Grip::Stick { anchor } => {
-                    let (a, b) = (right.of(point) - anchor[0], back.of(point) - anchor[1]);
-                    0.5 * self.tangential_stiffness * (a * a + b * b)
-                }
-            };
-            sheared_j + self.pad.pressed_j(-up.of(point))
-        };
-        self.points.iter().zip(grips).map(of).sum()
+    /// The feet that may be past their event.
+    pub(super) fn near(
+        &self,
+        grips: &[Grip],
+        (time_s, pose): (f64, &Pose),
+    ) -> impl Iterator<Item = usize> {
+        let planes = self.planes(time_s, pose);
+        (0..self.len()).filter(move |&index| {
+            let margin = self.margin_of(&planes, index, grips[index]);
+            margin.is_none_or(|margin| margin < ROUNDED)
+        })
     }
-}
 
-/// The force and torque of more elements.
-pub(super) fn add(push: &Push, force: &mut Vector, torque: &mut Vector) {
-    *force = sum(force, &push.force);
-    *torque = sum(torque, &push.torque);
+    /// Energy in the springs of the feet that stick together.
+    pub(super) fn stored_j(&self, stuck: &Stuck, pose: &Pose) -> f64 {
+        let [right, back, up] = [0, 1, 2].map(|axis| pose.displacement(self.z, axis));
+        let [k, _] = self.linear.unwrap_or_default();
+        let sheared = stuck.stretch_squared(right, 0) + stuck.stretch_squared(back, 1);
+        0.5 * (k * stuck.squares(up) + self.tangential_stiffness * sheared)
+    }
 }

@@ -1,14 +1,15 @@
 //! What the points of a base do where they press on the floor.
 
-use super::element::Role;
+use super::element::{Element, Role};
 use super::equation::{Line, Poses, State};
 use super::pose::Flat;
 use super::seen::Seen;
 use crate::compliant::{HEADROOM, raise};
 
-/// The highest of five values of the force in a step is at least this share of the maximum: error control limits the
-/// steps of a visible vibration to a third of a radian.
-const SAMPLED_NEAR: f64 = 0.97;
+/// The top of the parabola through the highest of five values of the force in a step is at least this share of the
+/// maximum: error control limits the steps of a visible vibration to a third of a radian. The highest one of these tops
+/// tells which point to search.
+const SAMPLED_NEAR: f64 = 0.99;
 
 /// The landings of the base of an object, or of the lower body of a stack.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -40,12 +41,18 @@ pub(super) struct Landings {
     pulses: Vec<Option<Pulse>>,
     hardest_m_s2: f64,
     found: BaseLandings,
+    /// Largest distance of a point of the base from the axis.
+    reach_m: f64,
 }
 
 impl Landings {
-    pub(super) fn new(elements: usize) -> Self {
+    pub(super) fn new(elements: &[Element<'_>]) -> Self {
+        let base = elements.iter().filter(|element| element.role == Role::Base);
         Self {
-            pulses: vec![None; elements],
+            reach_m: base
+                .map(|element| element.point[0].hypot(element.point[1]))
+                .fold(0.0, f64::max),
+            pulses: vec![None; elements.len()],
             hardest_m_s2: 0.0,
             found: BaseLandings::default(),
         }
@@ -68,48 +75,94 @@ impl Landings {
             lifting(step.start_s, seen.ends[0], step.start_rates()),
             lifting(end_s, seen.ends[1], step.end_rates()),
         ];
+        let pressing = |poses: &Poses| {
+            let sinking = poses[0].rising(z).times(-1.0);
+            (height(poses).times(-1.0), sinking)
+        };
+        let pressings = seen.ends.map(pressing);
+        let at = |share: f64| {
+            let (y, time_s) = (seen.state(share), seen.time_s(share));
+            let rates = world.rates(seen.grips, line, time_s, &y);
+            lifting(time_s, &world.poses(&y), &rates)
+        };
+        let known_m_s2 = self.found.peak_acceleration_m_s2;
+        // Compared with gravity added: the force of the cushions, which also carries the weight, is what vibrates.
+        let least_m_s2 = |share: f64| share * (known_m_s2 + world.gravity) - world.gravity;
+        let worth_a_look_m_s2 = least_m_s2(HEADROOM);
+        let deepest_m = pressings.map(|(depth, _)| depth.most_within(self.reach_m));
+        let hardest_m_s2 = liftings.map(|lifting| lifting.most_within(self.reach_m));
+        let may_be_deepest =
+            deepest_m[0].max(deepest_m[1]) >= HEADROOM * self.found.peak_compression_m;
+        let may_be_hardest = hardest_m_s2[0].max(hardest_m_s2[1]) >= worth_a_look_m_s2;
+        let has_pulses = self.pulses.iter().any(Option::is_some);
+        if !(may_be_deepest || may_be_hardest || has_pulses) {
+            return;
+        }
         let mut inner: Option<[Flat; 3]> = None;
+        let mut highest: Option<(usize, [f64; 5], f64)> = None;
+        let grips = seen.grips.each();
         for (index, element) in world.elements.iter().enumerate() {
-            if element.role != Role::Base || !seen.grips.each()[index].carries() {
+            if element.role != Role::Base || !grips[index].carries() {
                 continue;
             }
             let point = [element.point[0], element.point[1]];
-            let pressed = |poses: &Poses| {
-                let pose = &poses[0];
-                (-height(poses).of(point), -pose.rising(z).of(point))
-            };
-            if let Some((_, most_m)) = seen.crest(self.found.peak_compression_m, pressed) {
+            let at_point = |(depth, rate): (Flat, Flat)| (depth.of(point), rate.of(point));
+            let pressed = |poses: &Poses| at_point(pressing(poses));
+            let deepest_m = self.found.peak_compression_m;
+            if may_be_deepest
+                && let Some((_, most_m)) =
+                    seen.crest_between(deepest_m, pressings.map(at_point), pressed)
+            {
                 self.found.peak_compression_m = most_m;
             }
+            if !(may_be_hardest || has_pulses) {
+                continue;
+            }
             let [before, now] = liftings.map(|lifting| lifting.of(point));
-            let known_m_s2 = self.found.peak_acceleration_m_s2;
-            // Compared with gravity added: the force of the cushions, which also carries the weight, is what vibrates.
-            let gravity = world.gravity;
-            if before.max(now) + gravity >= HEADROOM * (known_m_s2 + gravity) {
-                let at = |share: f64| {
-                    let (y, time_s) = (seen.state(share), seen.time_s(share));
-                    let rates = world.rates(seen.grips, line, time_s, &y);
-                    lifting(time_s, &world.poses(&y), &rates)
-                };
-                let inner = inner.get_or_insert_with(|| [0.25, 0.5, 0.75].map(at));
-                let highest = inner.iter().map(|lifting| lifting.of(point));
-                let highest = highest.fold(before.max(now), f64::max);
-                if highest + gravity >= SAMPLED_NEAR * (known_m_s2 + gravity) {
-                    let up = |share: f64| match share {
-                        0.0 => before,
-                        1.0 => now,
-                        _ => at(share).of(point),
-                    };
-                    raise(&mut self.found.peak_acceleration_m_s2, up);
+            if let Some(pulse) = &mut self.pulses[index] {
+                // Of a pulse that is not the hardest so far the ends of steps will do.
+                pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now);
+            }
+            if before.max(now) >= worth_a_look_m_s2 {
+                let [a, b, c] = inner
+                    .get_or_insert_with(|| [0.25, 0.5, 0.75].map(at))
+                    .map(|lifting| lifting.of(point));
+                let samples = [before, a, b, c, now];
+                let top_m_s2 = top(samples);
+                if highest.is_none_or(|(.., most_m_s2)| top_m_s2 > most_m_s2) {
+                    highest = Some((index, samples, top_m_s2));
                 }
             }
-            let Some(pulse) = &mut self.pulses[index] else {
-                continue;
+        }
+        if let Some((index, [before, a, b, c, now], top_m_s2)) = highest
+            && top_m_s2 >= least_m_s2(SAMPLED_NEAR)
+        {
+            let [x, y, _] = world.elements[index].point;
+            let up = |share: f64| match share {
+                0.0 => before,
+                0.25 => a,
+                0.5 => b,
+                0.75 => c,
+                1.0 => now,
+                _ => at(share).of([x, y]),
             };
-            // Of a pulse that is not the hardest so far the ends of steps will do.
-            let top_m_s2 = self.found.peak_acceleration_m_s2;
-            let inner_m_s2 = if top_m_s2 > known_m_s2 { top_m_s2 } else { 0.0 };
-            pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now).max(inner_m_s2);
+            raise(&mut self.found.peak_acceleration_m_s2, up);
+            let most_m_s2 = self.found.peak_acceleration_m_s2;
+            if let Some(pulse) = &mut self.pulses[index]
+                && most_m_s2 > known_m_s2
+            {
+                pulse.peak_m_s2 = pulse.peak_m_s2.max(most_m_s2);
+            }
+        }
+        if !has_pulses {
+            return;
+        }
+        for (index, element) in world.elements.iter().enumerate() {
+            if self.pulses[index].is_none() || !grips[index].carries() {
+                continue;
+            }
+            let point = [element.point[0], element.point[1]];
+            let [before, now] = liftings.map(|lifting| lifting.of(point));
             if before > 0.0 && now <= 0.0 {
                 let share = before / (before - now);
                 let pose = &seen.poses(share)[0];
@@ -148,4 +201,15 @@ impl Landings {
         }
         self.found
     }
+}
+
+/// The top of the parabola through the highest of values at equal distances and its neighbours.
+fn top(values: [f64; 5]) -> f64 {
+    let inner = values.windows(3).filter_map(|three| {
+        let [before, middle, after] = *three.as_array()?;
+        let bend = before - 2.0 * middle + after;
+        let is_top = middle >= before && middle >= after && bend < 0.0;
+        is_top.then(|| middle - (after - before).powi(2) / (8.0 * bend))
+    });
+    inner.fold(values[0].max(values[4]), f64::max)
 }

@@ -87,6 +87,27 @@ impl Flat {
         self.at + (self.x * x + self.y * y)
     }
 
+    /// The largest value up to this distance from the axis.
+    #[inline]
+    pub(super) fn most_within(self, reach: f64) -> f64 {
+        self.at + reach * (self.x * self.x + self.y * self.y).sqrt()
+    }
+
+    /// The least value at these places; infinite without any.
+    pub(super) fn least(self, points: &[[f64; 2]]) -> f64 {
+        // In lanes, so that it is calculated in vectors.
+        let mut least = [f64::INFINITY; 4];
+        let (blocks, rest) = points.as_chunks::<4>();
+        for block in blocks {
+            for (least, [x, y]) in least.iter_mut().zip(block) {
+                let value = self.x * x + self.y * y;
+                *least = if value < *least { value } else { *least };
+            }
+        }
+        let rest = rest.iter().map(|[x, y]| self.x * x + self.y * y);
+        self.at + least.into_iter().chain(rest).fold(f64::INFINITY, f64::min)
+    }
+
     #[inline]
     pub(super) fn times(self, factor: f64) -> Self {
         Self {

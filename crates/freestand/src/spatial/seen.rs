@@ -4,12 +4,15 @@ use super::element::Role;
 use super::equation::{Grips, LEN, Poses, State, World};
 use crate::compliant::HEADROOM;
 use crate::compliant::step::Step;
-use crate::search::bisect;
+use crate::search::falls;
 
 /// The cubic through the values and rates at both ends of a step reaches at least this share of a maximum within the
 /// step. Error control limits the steps of a visible vibration to a third of a radian; the cubic then misses less than
 /// 1e-4.
 const CUBIC_NEAR: f64 = 0.98;
+
+/// How near to the place of a maximum its search ends, as a share of the step: the value is accurate to its square.
+const TOP_WITHIN: f64 = 1e-8;
 
 /// How the bodies of a stack move at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -100,7 +103,17 @@ impl Seen<'_, '_> {
     /// The share of the step at which a value is largest, if it may exceed `best`: at an end, or
     /// where its rate falls through zero. `of` gives the value and its rate.
     pub(super) fn crest(&self, best: f64, of: impl Fn(&Poses) -> (f64, f64)) -> Option<(f64, f64)> {
-        let [from, to] = self.ends.map(&of);
+        self.crest_between(best, self.ends.map(&of), of)
+    }
+
+    /// [`Seen::crest`] with the value and its rate known at both ends.
+    #[inline]
+    pub(super) fn crest_between(
+        &self,
+        best: f64,
+        [from, to]: [(f64, f64); 2],
+        of: impl Fn(&Poses) -> (f64, f64),
+    ) -> Option<(f64, f64)> {
         let ends = from.0.max(to.0);
         if ends <= 0.0 || ends < HEADROOM * best {
             return None;
@@ -115,7 +128,9 @@ impl Seen<'_, '_> {
         let is_low = crests && self.top([from, to]) < CUBIC_NEAR * best;
         if crests && !is_low {
             let inside = |share: f64| of(&self.poses(share));
-            let share = bisect(0.0, 1.0, |share| inside(share).1 <= 0.0);
+            let share = falls((0.0, from.1), (1.0, to.1), TOP_WITHIN, |share| {
+                inside(share).1
+            });
             let top = inside(share).0;
             if top > most.1 {
                 most = (share, top);

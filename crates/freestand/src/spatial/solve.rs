@@ -7,7 +7,7 @@ use super::seen::Seen;
 use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
-use crate::compliant::step::Step;
+use crate::compliant::step::{BOGACKI_SHAMPINE, Step};
 use crate::compliant::stepper::{Trial, next};
 use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
@@ -83,7 +83,7 @@ pub(super) fn follow(
     }
     let mut solver = Solver::new(world, options, start, observe);
     let samples = given.map_or(0, |motion| motion.accel_m_s2().len());
-    let mut step = Step::new(start, world.len());
+    let mut step = Step::new(start, world.len(), &BOGACKI_SHAMPINE);
     let mut index = 0;
     while solver.time_s < end_s && solver.fallen.is_none() && !solver.tail.is_over {
         let (line, until_s) = Line::of(motions, index, end_s);
@@ -97,7 +97,10 @@ pub(super) fn follow(
             }
             solver.time_s = until_s;
         } else {
-            solver.is_resting = false;
+            if solver.is_resting {
+                solver.rates = world.rates(&solver.grips, &line, solver.time_s, &solver.y);
+                solver.is_resting = false;
+            }
             solver.pass(&mut step, &line, until_s)?;
         }
         index += 1;
@@ -109,7 +112,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
     fn new(world: &'a World<'b>, options: &SpatialOptions, start: &State, observe: F) -> Self {
         let unit_s = world.unit_s;
         let poses = world.poses(start);
-        let grips = grips_at(world, &poses);
+        let grips = Grips::new(world, grips_at(world, &poses));
         let rest_j = world
             .elements
             .iter()
@@ -119,7 +122,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             .fold(0.0, f64::max);
         let mut solver = Self {
             world,
-            lines: vec![(f64::NEG_INFINITY, f64::INFINITY); grips.len()],
+            lines: vec![(f64::NEG_INFINITY, f64::INFINITY); world.elements.len()],
             kinks_m: world
                 .elements
                 .iter()
@@ -139,21 +142,21 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             ledger: Ledger::open(2.0 * rest_j, &world.energies(&grips, start, &poses)),
             tail: tail(world, 2.0 * rest_j, options.duration_s.is_none()),
             effort: CompliantEffort::default(),
-            grips: Grips::new(world, grips),
+            grips,
             observe,
         };
         (0..world.elements.len()).for_each(|index| solver.place_between_kinks(index));
         solver
     }
 
-    /// Calculates one straight segment of the motion.
+    /// Calculates one straight segment of the motion. The acceleration of the base has no steps: the rates at its start
+    /// are those at the end of the one before.
     fn pass(
         &mut self,
         step: &mut Step<LEN>,
         line: &Line,
         until_s: f64,
     ) -> Result<(), CompliantError> {
-        self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
         while self.time_s < until_s && self.fallen.is_none() && !self.tail.is_over {
             let rest_s = until_s - self.time_s;
             if rest_s <= 4.0 * f64::EPSILON * until_s {
@@ -207,7 +210,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             close: PAST * self.tolerance,
         };
         let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
-        let margin = |time_s: f64, y: &State| self.least_margin(line, time_s, y);
+        let margin = |time_s: f64, y: &State, most: f64| self.least_margin(line, (time_s, y), most);
         let found = next(step, trial, take, margin, &mut effort)?;
         self.effort = effort;
         Ok(found)
@@ -240,19 +243,17 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         };
         self.track.read(&seen, line);
         (self.observe)(&SpatialPiece { seen });
-        (self.y, self.rates) = (step.end, *step.end_rates());
+        let used = self.world.len();
+        self.y[..used].copy_from_slice(&step.end[..used]);
+        self.rates[..used].copy_from_slice(&step.end_rates()[..used]);
         self.time_s = step.start_s + step.length_s;
         self.poses = poses;
         if has_event {
-            let mut changed = false;
-            let rates = self.rates_of_slip(line, self.time_s, &self.y);
-            for index in 0..self.world.elements.len() {
-                if self.margin(index, self.time_s, &poses, (&self.y, rates.as_ref())) < 0.0 {
-                    self.change(index, &poses);
-                    changed = true;
-                }
+            let past = self.past(line, &poses);
+            for &index in &past {
+                self.change(index, &poses);
             }
-            if changed {
+            if !past.is_empty() {
                 self.grips.sort(self.world);
                 self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
             }
@@ -267,8 +268,10 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             }
         }
         self.ledger
-            .enter(&self.world.energies(self.grips.each(), &self.y, &poses));
-        self.tail.step(self.time_s, &self.ledger, self.is_held());
+            .enter(&self.world.energies(&self.grips, &self.y, &poses));
+        let mut tail = self.tail;
+        tail.step(self.time_s, &self.ledger, || self.is_held());
+        self.tail = tail;
         Ok(())
     }
 
@@ -327,13 +330,16 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 
     /// The rates that the margins of slipping elements need, if any does.
     fn rates_of_slip(&self, line: &Line, time_s: f64, y: &State) -> Option<State> {
-        let mut both = self.world.elements.iter().zip(self.grips.each());
-        let is_needed = both.any(|(element, grip)| *grip == Grip::Slip && element.pad.is_damped());
+        let slips = |&index: &usize| {
+            let pad = &self.world.elements[index].pad;
+            self.grips.each()[index] == Grip::Slip && pad.is_damped()
+        };
+        let is_needed = self.grips.alone().iter().any(slips);
         is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
     }
 
-    /// The smallest of all margins; overturning counts as one of them.
-    fn least_margin(&self, line: &Line, time_s: f64, y: &State) -> f64 {
+    /// The smallest of all margins, or `most`; overturning counts as one of them.
+    fn least_margin(&self, line: &Line, (time_s, y): (f64, &State), most: f64) -> f64 {
         let poses = self.world.poses(y);
         let rates = self.rates_of_slip(line, time_s, y);
         let of = |index: usize| self.margin(index, time_s, &poses, (y, rates.as_ref()));
@@ -342,11 +348,23 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             .take(self.world.bodies.len())
             .map(|pose| pose.upright());
         let others = (self.world.feet()..self.world.elements.len()).map(of);
-        let least = bodies.chain(others).fold(f64::INFINITY, f64::min);
+        let least = bodies.chain(others).fold(most, f64::min);
         let Some(feet) = &self.world.feet else {
             return least;
         };
-        feet.margin(self.grips.each(), (time_s, &poses[0]), least, of)
+        let grips = (self.grips.each(), self.grips.feet());
+        feet.margin(grips, (time_s, &poses[0]), least, of)
+    }
+
+    /// The elements that are past their event.
+    fn past(&self, line: &Line, poses: &Poses) -> Vec<usize> {
+        let rates = self.rates_of_slip(line, self.time_s, &self.y);
+        let of = |index: usize| self.margin(index, self.time_s, poses, (&self.y, rates.as_ref()));
+        let feet = self.world.feet.as_ref();
+        let near = feet.map(|feet| feet.near(self.grips.each(), (self.time_s, &poses[0])));
+        let others = self.world.feet()..self.world.elements.len();
+        let near = near.into_iter().flatten().chain(others);
+        near.filter(|&index| of(index) < 0.0).collect()
     }
 
     /// Changes an element that is past its event.
@@ -514,7 +532,8 @@ fn grips_at(world: &World<'_>, poses: &Poses) -> Vec<Grip> {
 fn tail(world: &World<'_>, rest_j: f64, ends: bool) -> Tail {
     let rest = world.at_rest();
     let poses = world.poses(&rest);
-    let stands = world.energies(&grips_at(world, &poses), &rest, &poses);
+    let grips = Grips::new(world, grips_at(world, &poses));
+    let stands = world.energies(&grips, &rest, &poses);
     let balance_j = world.bodies.iter().enumerate().map(|(index, body)| {
         let own = world
             .elements

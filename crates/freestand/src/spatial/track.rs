@@ -11,6 +11,7 @@ use super::seen::{Pattern, Seen, tilts};
 use crate::compliant::{HEADROOM, raise};
 use crate::rocking::Outcome;
 use crate::search::bisect;
+use crate::space::Vector;
 
 /// What one body did. Tilts are angles of its axis to the vertical; `tilt_x` and `tilt_y` are those
 /// of the projections of the axis, positive to the right and to the back.
@@ -117,7 +118,7 @@ impl Track {
             times: Patterns::default(),
             base_contacts: 0,
             wall_contacts: 0,
-            landings: Landings::new(world.elements.len()),
+            landings: Landings::new(&world.elements),
             wall_speed: 0.0,
             wall_forces: [0.0; 2],
             wall_edge_forces: [0.0; 2],
@@ -150,29 +151,31 @@ impl Track {
         let peaks = &mut self.peaks[body];
         let axis = |poses: &Poses| poses[body].axis();
         let axis_at = |share: f64| axis(&seen.poses(share)).0;
+        let ends = seen.ends.map(axis);
         // sin²: rises with the tilt up to π/2.
-        let square = |poses: &Poses| {
-            let (axis, rate) = axis(poses);
+        let square = |(axis, rate): (Vector, Vector)| {
             (
-                axis[0].powi(2) + axis[1].powi(2),
+                axis[0] * axis[0] + axis[1] * axis[1],
                 2.0 * (axis[0] * rate[0] + axis[1] * rate[1]),
             )
         };
-        if let Some((share, most)) = seen.crest(peaks.square, square) {
+        let of = |poses: &Poses| square(axis(poses));
+        if let Some((share, most)) = seen.crest_between(peaks.square, ends.map(square), of) {
             let [x, y, z] = axis_at(share);
             peaks.square = most;
             peaks.tilt = (x.hypot(y).atan2(z), seen.time_s(share));
         }
         for side in 0..2 {
             // The tangent rises with the angle, and needs no trigonometric function.
-            let size = |poses: &Poses| {
-                let (axis, rate) = axis(poses);
-                let up = axis[2].max(0.0);
-                let tangent = axis[side] / up;
-                let rise = (rate[side] * axis[2] - axis[side] * rate[2]) / (up * up);
+            let size = |(axis, rate): (Vector, Vector)| {
+                let per_up = 1.0 / axis[2].max(0.0);
+                let tangent = axis[side] * per_up;
+                let rise = (rate[side] - tangent * rate[2]) * per_up;
                 (tangent.abs(), tangent.signum() * rise)
             };
-            if let Some((share, most)) = seen.crest(peaks.tangents[side], size) {
+            let of = |poses: &Poses| size(axis(poses));
+            let best = peaks.tangents[side];
+            if let Some((share, most)) = seen.crest_between(best, ends.map(size), of) {
                 peaks.tangents[side] = most;
                 peaks.tilts[side] = tilts(&axis_at(share))[side];
             }
@@ -211,14 +214,14 @@ impl Track {
                 (-foot.compression, -foot.compression_rate)
             };
             let [from, to] = if element.role == Role::Base {
-                ends.map(|(height, _)| height.of(point))
+                ends.map(|(height, rising)| (height.of(point), rising.of(point)))
             } else {
-                seen.ends.map(|poses| height(poses).0)
+                seen.ends.map(height)
             };
-            if from.max(to) <= HEADROOM * peaks.uplift {
+            if from.0.max(to.0) <= HEADROOM * peaks.uplift {
                 continue;
             }
-            if let Some((_, height_m)) = seen.crest(peaks.uplift, height) {
+            if let Some((_, height_m)) = seen.crest_between(peaks.uplift, [from, to], height) {
                 peaks.uplift = height_m;
             }
             if peaks.first_uplift.is_none() {
