@@ -239,13 +239,9 @@ pub fn restraint_forces(question: &RestraintQuestion) -> Vec<RestraintForce> {
     let floor = pfa_g.map(|pfa_g| {
         let mut floor = sources::floor(question, pfa_g);
         let ratio = floor.part.force_ratio;
-        let is_less = |code: &&Source| (0.0..ratio).contains(&code.part.force_ratio);
         // A force of zero has no multiples.
-        if let Some(code) = own
-            .first()
-            .filter(is_less)
-            .filter(|code| code.part.force_ratio > 0.0)
-        {
+        let is_less = |code: &&Source| code.part.force_ratio > 0.0 && code.part.force_ratio < ratio;
+        if let Some(code) = own.first().filter(is_less) {
             floor.remarks.push(Remark::AboveCode {
                 ratio: ratio / code.part.force_ratio,
                 clause: code.clause,

@@ -239,7 +239,7 @@ fn force_words(force_n: Option<f64>) -> String {
     force_n.map_or_else(|| "–".to_owned(), kilonewtons)
 }
 
-/// A table whose rows become cards on a narrow screen, whose `tbody` elements are the `bodies`.
+/// A table whose rows become cards on a narrow screen; `bodies` are its `tbody` elements.
 fn cards(class: &str, headings: &[(&str, bool)], bodies: &Markup) -> Markup {
     html! {
         table.cards.(class) {
