@@ -9,7 +9,7 @@ use super::equation::{
 };
 use super::equilibrium::body;
 use super::step::{DORMAND_PRINCE, Step};
-use super::stepper::{Trial, next};
+use super::stepper::{Found, Trial, next};
 use super::tail::Tail;
 use super::track::{Seen, Track};
 use super::{
@@ -339,7 +339,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (grow, _) = self.next(&mut step, &line, rest_s)?;
+            let grow = self.next(&mut step, &line, rest_s)?.grow_s;
             let is_last = step.length_s == rest_s;
             self.try_s = if is_last { grow.max(self.try_s) } else { grow };
             self.accept(&line, &step, result);
@@ -368,13 +368,13 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// Takes the next step; returns the length to try after it, and whether it ends with an event.
+    /// Takes the next step.
     fn next(
         &mut self,
         step: &mut Step<LEN>,
         line: &Line,
         rest_s: f64,
-    ) -> Result<(f64, bool), CompliantError> {
+    ) -> Result<Found, CompliantError> {
         let mut effort = self.effort;
         let trial = Trial {
             start_s: self.time_s,

@@ -105,8 +105,17 @@ pub(crate) struct Trial {
     pub(crate) close: f64,
 }
 
-/// Takes a step that is accurate and ends no later than its first event; returns the length to try next, and whether there
-/// is an event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event,
+/// What [`next`] found out.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Found {
+    /// Length to try after the step.
+    pub(crate) grow_s: f64,
+    pub(crate) has_event: bool,
+    /// Whether an accurate step, which an event may have shortened, reached the kink of the motion.
+    pub(crate) reached_kink: bool,
+}
+
+/// Takes a step that is accurate and ends no later than its first event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event,
 /// and anything from its last argument on counts as much as that.
 pub(crate) fn next<const N: usize>(
     step: &mut Step<N>,
@@ -114,10 +123,11 @@ pub(crate) fn next<const N: usize>(
     take: impl Fn(&mut Step<N>, f64) -> f64,
     margin: impl Fn(f64, &[f64; N], f64) -> f64 + Copy,
     effort: &mut CompliantEffort,
-) -> Result<(f64, bool), CompliantError> {
+) -> Result<Found, CompliantError> {
     let evaluations = step.evaluations();
     let take_one = |length_s: f64| take(step, length_s);
-    let grow = accurate(trial, take_one, evaluations, effort)?;
+    let grow_s = accurate(trial, take_one, evaluations, effort)?;
+    let reached_kink = step.length_s == trial.rest_s;
     let is_past = |time_s: f64, y: &[f64; N]| margin(time_s, y, 0.0) < 0.0;
     let event = first_event(step, trial.unit_s, is_past);
     if let Some(share) = event {
@@ -128,7 +138,11 @@ pub(crate) fn next<const N: usize>(
         let length_s = share * step.length_s;
         shortened(step, length_s, trial, take, margin, effort);
     }
-    Ok((grow, event.is_some()))
+    Ok(Found {
+        grow_s,
+        has_event: event.is_some(),
+        reached_kink,
+    })
 }
 
 /// Takes a step that is accurate enough, and returns the length to try next. `take` takes a step of

@@ -8,7 +8,7 @@ use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
 use crate::compliant::pad::between_kinks;
 use crate::compliant::step::{BOGACKI_SHAMPINE, Step};
-use crate::compliant::stepper::{Trial, next};
+use crate::compliant::stepper::{Found, Trial, next};
 use crate::compliant::tail::Tail;
 use crate::compliant::{CompliantEffort, CompliantError, EnergyAudit, Ledger, MAX_STEPS, TOUCHING};
 use crate::motion::Motion;
@@ -26,7 +26,7 @@ const PAST: f64 = 10.0;
 
 /// Longest step, as an angle of the vertical vibration on the cushions. Sway and pitch are up to twice as fast: what
 /// limits a step in which one of them is visible is its error, a third of a radian at `fast`.
-const LONGEST_RAD: f64 = 1.0;
+const LONGEST_RAD: f64 = 1.25;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -162,10 +162,15 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             if rest_s <= 4.0 * f64::EPSILON * until_s {
                 break;
             }
-            let (grow, has_event) = self.next(step, line, rest_s)?;
+            let found = self.next(step, line, rest_s)?;
             let is_last = step.length_s == rest_s;
-            self.try_s = if is_last { grow.max(self.try_s) } else { grow };
-            self.accept(line, step, has_event)?;
+            // A step that a sample cut short, whether or not an event came first, tells of no shorter one.
+            self.try_s = if found.reached_kink {
+                found.grow_s.max(self.try_s)
+            } else {
+                found.grow_s
+            };
+            self.accept(line, step, found.has_event)?;
             if is_last {
                 self.time_s = until_s;
             }
@@ -192,13 +197,13 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
     }
 
-    /// Takes the next step; returns the length to try after it, and whether it ends with an event.
+    /// Takes the next step.
     fn next(
         &mut self,
         step: &mut Step<LEN>,
         line: &Line,
         rest_s: f64,
-    ) -> Result<(f64, bool), CompliantError> {
+    ) -> Result<Found, CompliantError> {
         let mut effort = self.effort;
         let trial = Trial {
             start_s: self.time_s,
