@@ -387,7 +387,7 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         };
         let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
         let margin = |time_s: f64, y: &State, _: f64| self.least_margin(line, time_s, y);
-        let found = next(step, trial, take, margin, &mut effort)?;
+        let found = next(step, trial, take, |_| true, margin, &mut effort)?;
         self.effort = effort;
         Ok(found)
     }

@@ -145,6 +145,10 @@ pub(crate) struct Step<const N: usize> {
     /// Number of entries of the state in use.
     len: usize,
     last: [f64; N],
+    /// The state where [`Step::look`] last looked.
+    inner: [f64; N],
+    /// Error estimates, by their scales.
+    errors: [f64; N],
     /// The rates at the start, at each stage, and at the end.
     slopes: [[f64; N]; MOST_RATES],
     pair: &'static Pair,
@@ -160,6 +164,8 @@ impl<const N: usize> Step<N> {
             end: *start,
             len,
             last: [0.0; N],
+            inner: *start,
+            errors: [0.0; N],
             slopes: [[0.0; N]; MOST_RATES],
             pair,
         }
@@ -201,8 +207,7 @@ impl<const N: usize> Step<N> {
             weighted(weights, slopes, start, &mut self.end, len);
             rates(start_s + node * length_s, &self.end, &mut later[0]);
         }
-        let nothing = [0.0; N];
-        let from_nothing = (&nothing, length_s);
+        let from_nothing = (&[0.0; N], length_s);
         weighted(
             self.pair.dense,
             &self.slopes,
@@ -210,15 +215,20 @@ impl<const N: usize> Step<N> {
             &mut self.last,
             len,
         );
-        let mut error = [0.0; N];
-        weighted(self.pair.error, &self.slopes, from_nothing, &mut error, len);
+        weighted(
+            self.pair.error,
+            &self.slopes,
+            from_nothing,
+            &mut self.errors,
+            len,
+        );
         for i in 0..len {
             let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
-            error[i] /= tolerance * scale;
+            self.errors[i] /= tolerance * scale;
         }
         // In lanes, whose additions do not wait for each other; behind `len` there is no error.
         let mut sums = [0.0; BLOCK];
-        for block in error[..len.next_multiple_of(BLOCK).min(N)].chunks(BLOCK) {
+        for block in self.errors[..len.next_multiple_of(BLOCK).min(N)].chunks(BLOCK) {
             for (sum, ratio) in sums.iter_mut().zip(block) {
                 *sum += ratio * ratio;
             }
@@ -228,15 +238,34 @@ impl<const N: usize> Step<N> {
 
     /// The state at a share of the step.
     pub(crate) fn state(&self, share: f64) -> [f64; N] {
-        let rest = 1.0 - share;
-        let (mut y, last_rates) = (self.start, self.end_rates());
+        let mut y = self.start;
         for (i, value) in y[..self.len].iter_mut().enumerate() {
-            let change = self.end[i] - self.start[i];
-            let bend = self.length_s * self.slopes[0][i] - change;
-            let twist = change - self.length_s * last_rates[i] - bend;
-            *value += share * (change + rest * (bend + share * (twist + rest * self.last[i])));
+            *value = self.entry(i, share);
         }
         y
+    }
+
+    /// The state at a share of the step, without a copy of what is not in use.
+    pub(crate) fn look(&mut self, share: f64) -> &[f64; N] {
+        for i in 0..self.len {
+            self.inner[i] = self.entry(i, share);
+        }
+        &self.inner
+    }
+
+    /// The entries of the state from `first` on, at a share of the step.
+    #[inline]
+    pub(crate) fn entries<const M: usize>(&self, first: usize, share: f64) -> [f64; M] {
+        std::array::from_fn(|i| self.entry(first + i, share))
+    }
+
+    #[inline(always)]
+    fn entry(&self, i: usize, share: f64) -> f64 {
+        let rest = 1.0 - share;
+        let change = self.end[i] - self.start[i];
+        let bend = self.length_s * self.slopes[0][i] - change;
+        let twist = change - self.length_s * self.end_rates()[i] - bend;
+        self.start[i] + share * (change + rest * (bend + share * (twist + rest * self.last[i])))
     }
 }
 

@@ -115,12 +115,13 @@ pub(crate) struct Found {
     pub(crate) reached_kink: bool,
 }
 
-/// Takes a step that is accurate and ends no later than its first event. `take` takes a step of the given length and returns its error ratio; `margin` is negative past an event,
-/// and anything from its last argument on counts as much as that.
+/// Takes a step that is accurate and ends no later than its first event. `take` takes a step of the given length and returns its error ratio; only where
+/// `may_have_event` is a step searched; `margin` is negative past an event, and anything from its last argument on counts as much as that.
 pub(crate) fn next<const N: usize>(
     step: &mut Step<N>,
     trial: Trial,
     take: impl Fn(&mut Step<N>, f64) -> f64,
+    may_have_event: impl Fn(&Step<N>) -> bool,
     margin: impl Fn(f64, &[f64; N], f64) -> f64 + Copy,
     effort: &mut CompliantEffort,
 ) -> Result<Found, CompliantError> {
@@ -129,7 +130,9 @@ pub(crate) fn next<const N: usize>(
     let grow_s = accurate(trial, take_one, evaluations, effort)?;
     let reached_kink = step.length_s == trial.rest_s;
     let is_past = |time_s: f64, y: &[f64; N]| margin(time_s, y, 0.0) < 0.0;
-    let event = first_event(step, trial.unit_s, is_past);
+    let event = may_have_event(step)
+        .then(|| first_event(step, trial.unit_s, is_past))
+        .flatten();
     if let Some(share) = event {
         let margin = |time_s: f64, y: &[f64; N]| margin(time_s, y, f64::INFINITY);
         let share = trial
@@ -163,8 +166,7 @@ fn accurate(
         let error_ratio = take(length_s);
         effort.evaluations += evaluations;
         if error_ratio <= 1.0 {
-            let growth = (0.9 * error_ratio.powf(-0.2)).clamp(0.5, 4.0);
-            return Ok(growth * length_s);
+            return Ok(grown(length_s, error_ratio, trial.longest_s));
         }
         effort.rejected += 1;
         // NaN where a trial went past the end of a bottoming cushion.
@@ -183,9 +185,22 @@ fn accurate(
     }
 }
 
+/// The length to try after a step of this length and error; from `longest_s` on, any length counts as much as that.
+fn grown(length_s: f64, error_ratio: f64, longest_s: f64) -> f64 {
+    const MOST: f64 = 4.0;
+    const SAFETY: f64 = 0.9;
+    // Most steps are limited by samples and need no root. The margin is far more than its rounding.
+    let wanted = (longest_s / length_s).min(MOST) * (1.0 + 1e-9);
+    if error_ratio <= (SAFETY / wanted).powi(5) {
+        return MOST.min(wanted) * length_s;
+    }
+    let growth = (SAFETY * error_ratio.powf(-0.2)).clamp(0.5, MOST);
+    growth * length_s
+}
+
 /// A share of the step by which an event has passed, if there is one.
 fn first_event<const N: usize>(
-    step: &Step<N>,
+    step: &mut Step<N>,
     unit_s: f64,
     is_past: impl Fn(f64, &[f64; N]) -> bool,
 ) -> Option<f64> {
@@ -199,7 +214,7 @@ fn first_event<const N: usize>(
             if share == 1.0 {
                 is_past(time_s, &step.end)
             } else {
-                is_past(time_s, &step.state(share))
+                is_past(time_s, step.look(share))
             }
         })
 }
@@ -208,13 +223,14 @@ fn first_event<const N: usize>(
 /// interpolating polynomial: a close bracket for [`shortened`], without new steps. `close` is about
 /// the error of the polynomial.
 fn nearer<const N: usize>(
-    step: &Step<N>,
+    step: &mut Step<N>,
     share: f64,
     close: f64,
     margin: impl Fn(f64, &[f64; N]) -> f64,
 ) -> f64 {
-    let at = |share: f64| margin(step.start_s + share * step.length_s, &step.state(share));
     let (mut low, mut low_margin) = (0.0, margin(step.start_s, &step.start));
+    let (start_s, length_s) = (step.start_s, step.length_s);
+    let mut at = |share: f64| margin(start_s + share * length_s, step.look(share));
     let (mut high, mut high_margin) = (share, at(share));
     let mut last_side = 0;
     for _ in 0..EVENT_TRIALS {
@@ -263,7 +279,7 @@ fn shortened<const N: usize>(
     let mut low = 0.0;
     let (mut high, mut high_margin) = (length_s, margin_after(step, length_s));
     let mut last_side = 0;
-    let mut trial = step.clone();
+    let mut trial = None;
     for _ in 0..EVENT_TRIALS {
         if high_margin >= -close || high - low <= EVENT_RAD * unit_s || high <= shortest_s {
             break;
@@ -278,10 +294,11 @@ fn shortened<const N: usize>(
         if low_margin <= 0.0 && middle < shortest_s {
             break;
         }
-        let margin = margin_after(&mut trial, middle);
+        let trial = trial.get_or_insert_with(|| step.clone());
+        let margin = margin_after(trial, middle);
         if margin < 0.0 {
             (high, high_margin) = (middle, margin);
-            std::mem::swap(step, &mut trial);
+            std::mem::swap(step, trial);
             if last_side == 1 {
                 low_margin *= 0.5;
             }

@@ -4,6 +4,7 @@ use super::element::{Element, Grip};
 use super::feet::{Feet, Push, Sorted};
 use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY, vector};
 use crate::compliant::Energies;
+use crate::compliant::step::Step;
 use crate::space::{
     Vector, cross, difference, dot, moved, moved_back, sum, turned, turned_back, turning,
 };
@@ -42,6 +43,24 @@ pub(super) struct Rigid {
     pub(super) home: Vector,
     /// From the centre of gravity to the base.
     pub(super) cg_height: f64,
+    /// 1/m and 1/J: divisions in every evaluation would wait.
+    per_mass: f64,
+    per_inertia: Vector,
+}
+
+impl Rigid {
+    /// A body with the base at the height `base_m`.
+    pub(super) fn new(mass: f64, gyration_m2: Vector, base_m: f64, cg_height: f64) -> Self {
+        let inertia = gyration_m2.map(|square| mass * square);
+        Self {
+            mass,
+            inertia,
+            home: [0.0, 0.0, base_m + cg_height],
+            cg_height,
+            per_mass: 1.0 / mass,
+            per_inertia: inertia.map(|inertia| 1.0 / inertia),
+        }
+    }
 }
 
 /// The poses of all bodies.
@@ -217,6 +236,17 @@ impl<'a> World<'a> {
         [Pose::at(y), upper]
     }
 
+    /// The poses at a share of a step.
+    pub(super) fn poses_in(&self, step: &Step<LEN>, share: f64) -> Poses {
+        let of = |body: usize| Pose::at(&step.entries::<BODY>(BODY * body, share));
+        let upper = if self.bodies.len() == MAX_BODIES {
+            of(1)
+        } else {
+            Pose::STILL
+        };
+        [of(0), upper]
+    }
+
     pub(super) fn foot(&self, element: &Element, poses: &Poses) -> Foot {
         let (shift, velocity, point_arm, gap) = match element.point_of {
             Some(body) => {
@@ -390,9 +420,7 @@ impl<'a> World<'a> {
         let torque = turned_back(&pose.shift, &torque);
         let [a, b, c] = body.inertia;
         let gyroscopic = cross(&spin, &[a * spin[0], b * spin[1], c * spin[2]]);
-        // Known before the forces are: their divisions would wait.
-        let per_mass = 1.0 / body.mass;
-        let per_inertia = body.inertia.map(|inertia| 1.0 / inertia);
+        let (per_mass, per_inertia) = (body.per_mass, body.per_inertia);
         let fallen = [shaking[0], shaking[1], self.gravity + shaking[2]];
         for axis in 0..3 {
             rates[at + PLACE + axis] = pose.velocity[axis];

@@ -43,6 +43,9 @@ pub(super) struct Stuck {
 /// Far more than rounding changes a margin of the order of 1.
 const ROUNDED: f64 = 1e-6;
 
+/// As a share of its unit, or of how deep it may fall within a step, a margin above this needs no search.
+const FAR: f64 = 0.1;
+
 /// The feet, sorted by how they hold on.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sorted {
@@ -61,6 +64,25 @@ struct Planes {
     up: Flat,
     pushes: Flat,
     carried: Flat,
+}
+
+/// Four planes whose hull contains the cubic through values and rates at both ends of a step: its control points.
+fn between([(from, leaves), (to, comes)]: [(Flat, Flat); 2], length_s: f64) -> [Flat; 4] {
+    let third_s = length_s / 3.0;
+    [
+        from,
+        from.plus(leaves.times(third_s)),
+        to.plus(comes.times(-third_s)),
+        to,
+    ]
+}
+
+/// Whether a quantity with these control points stays above zero at all these places.
+fn is_far(planes: [Flat; 4], points: &[[f64; 2]], unit: f64) -> bool {
+    let [from, early, late, to] = Flat::least_of(planes, points);
+    let (ends, inner) = (from.min(to), early.min(late));
+    // What the cubic misses is far less than a tenth of what it may fall below the ends.
+    inner.min(ends) - FAR * (ends - inner).max(0.0) > FAR * unit
 }
 
 impl Stuck {
@@ -282,6 +304,36 @@ impl<'a> Feet<'a> {
             }
         }
         least
+    }
+
+    /// Whether no foot has an event in a step of this length between two poses with their rates. All feet must stick on
+    /// linear cushions without friction, or be open.
+    pub(super) fn stay(&self, sorted: &Sorted, ends: [(&Pose, &[f64]); 2], length_s: f64) -> bool {
+        let (Some([k, c]), None) = (self.linear, self.friction) else {
+            return false;
+        };
+        let z = self.z;
+        let ups = ends.map(|(pose, _)| pose.displacement(z, 2));
+        let risings = ends.map(|(pose, _)| pose.rising(z));
+        // An open cushion that still recovers is lower.
+        let up = between([(ups[0], risings[0]), (ups[1], risings[1])], length_s);
+        if !is_far(up, &sorted.open, self.unit_m) {
+            return false;
+        }
+        if c == 0.0 {
+            return is_far(up.map(|up| up.times(-1.0)), &sorted.stuck, self.unit_m);
+        }
+        let force = |up: Flat, rising: Flat| up.times(-k).plus(rising.times(-c));
+        let of = |end: usize| {
+            let (pose, rates) = ends[end];
+            let rate = force(risings[end], pose.lifting(z, rates));
+            (force(ups[end], risings[end]), rate)
+        };
+        is_far(
+            between([of(0), of(1)], length_s),
+            &sorted.stuck,
+            self.weight_n,
+        )
     }
 
     /// The feet that may be past their event.

@@ -569,12 +569,7 @@ impl SpatialObject {
     fn world(&self, gravity: f64) -> World<'_> {
         let [.., height] = self.shape.sizes_m();
         let (mass, cg_height) = (self.mass_kg, 0.5 * height);
-        let body = Rigid {
-            mass,
-            inertia: self.shape.gyration_m2().map(|square| mass * square),
-            home: [0.0, 0.0, cg_height],
-            cg_height,
-        };
+        let body = Rigid::new(mass, self.shape.gyration_m2(), 0.0, cg_height);
         let feet = self.shape.feet_m();
         let share = 2.0 / feet.len() as f64;
         let weight_n = mass * gravity;

@@ -93,6 +93,23 @@ impl Flat {
         self.at + reach * (self.x * self.x + self.y * self.y).sqrt()
     }
 
+    /// [`Flat::least`] of four.
+    pub(super) fn least_of(planes: [Self; 4], points: &[[f64; 2]]) -> [f64; 4] {
+        let (xs, ys) = (planes.map(|plane| plane.x), planes.map(|plane| plane.y));
+        let mut least = [f64::INFINITY; 4];
+        for [x, y] in points {
+            for lane in 0..4 {
+                let value = xs[lane] * x + ys[lane] * y;
+                least[lane] = if value < least[lane] {
+                    value
+                } else {
+                    least[lane]
+                };
+            }
+        }
+        std::array::from_fn(|lane| planes[lane].at + least[lane])
+    }
+
     /// The least value at these places; infinite without any.
     pub(super) fn least(self, points: &[[f64; 2]]) -> f64 {
         // In lanes, so that it is calculated in vectors.

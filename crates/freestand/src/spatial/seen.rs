@@ -80,7 +80,7 @@ impl Seen<'_, '_> {
         } else if share == 1.0 {
             *self.ends[1]
         } else {
-            self.world.poses(&self.step.state(share))
+            self.world.poses_in(self.step, share)
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::element::{Element, Grip, Role};
 use super::equation::{Foot, Grips, LEN, Line, Poses, SLIP, State, World};
-use super::pose::{BODY, PLACE, SPIN, TURN, VELOCITY};
+use super::pose::{BODY, PLACE, Pose, SPIN, TURN, VELOCITY};
 use super::seen::Seen;
 use super::track::{BodyMotion, Track};
 use super::{Fallen, SpatialOptions, SpatialPiece};
@@ -27,6 +27,9 @@ const PAST: f64 = 10.0;
 /// Longest step, as an angle of the vertical vibration on the cushions. Sway and pitch are up to twice as fast: what
 /// limits a step in which one of them is visible is its error, a third of a radian at `fast`.
 const LONGEST_RAD: f64 = 1.25;
+
+/// Of a body whose axis has more than this vertical part at both ends of a step, none overturns within.
+const UPRIGHT: f64 = 0.1;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -216,7 +219,8 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         };
         let take = |step: &mut Step<LEN>, length_s: f64| self.take(step, line, length_s);
         let margin = |time_s: f64, y: &State, most: f64| self.least_margin(line, (time_s, y), most);
-        let found = next(step, trial, take, margin, &mut effort)?;
+        let may_have_event = |step: &Step<LEN>| self.may_have_event(step);
+        let found = next(step, trial, take, may_have_event, margin, &mut effort)?;
         self.effort = effort;
         Ok(found)
     }
@@ -341,6 +345,26 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         };
         let is_needed = self.grips.alone().iter().any(slips);
         is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
+    }
+
+    /// Whether a step may have an event: not if all feet are far from theirs, there is nothing else, and the body is
+    /// not about to overturn.
+    fn may_have_event(&self, step: &Step<LEN>) -> bool {
+        let Some(feet) = self
+            .world
+            .feet
+            .as_ref()
+            .filter(|feet| feet.len() == self.world.elements.len())
+        else {
+            return true;
+        };
+        let end = Pose::at(&step.end);
+        let is_upright = self.poses[0].upright().min(end.upright()) > UPRIGHT;
+        let ends = [
+            (&self.poses[0], &step.start_rates()[..]),
+            (&end, &step.end_rates()[..]),
+        ];
+        !(is_upright && feet.stay(self.grips.feet(), ends, step.length_s))
     }
 
     /// The smallest of all margins, or `most`; overturning counts as one of them.

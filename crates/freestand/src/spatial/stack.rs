@@ -85,14 +85,8 @@ impl StackBody {
             thickness_m: self.thickness_m,
             height_m: self.height_m,
         };
-        let cg_height = 0.5 * self.height_m;
-        let inertia = shape.gyration_m2().map(|square| self.mass_kg * square);
-        Rigid {
-            mass: self.mass_kg,
-            inertia,
-            home: [0.0, 0.0, base_m + cg_height],
-            cg_height,
-        }
+        let gyration_m2 = shape.gyration_m2();
+        Rigid::new(self.mass_kg, gyration_m2, base_m, 0.5 * self.height_m)
     }
 }
 
