@@ -2,6 +2,10 @@
 
 use crate::cushion::{ContactLaw, Cushion};
 
+/// After so many relaxation times a cushion has recovered: e⁻⁵⁰ of a compression is below its rounding, and an
+/// underflow takes long.
+const RECOVERED: f64 = 50.0;
+
 /// A share of a cushion.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pad<'a> {
@@ -101,8 +105,7 @@ impl Pad<'_> {
                 damping_n_s_m,
             } => {
                 let recovered = stiffness_n_m / damping_n_s_m * gone_s;
-                // e⁻⁵⁰ of a compression is below its rounding, and an underflow takes long.
-                if recovered > 50.0 {
+                if recovered > RECOVERED {
                     0.0
                 } else {
                     compression_m * (-recovered).exp()
@@ -112,6 +115,23 @@ impl Pad<'_> {
                 dissipation_s_m, ..
             } => (compression_m - gone_s / dissipation_s_m).max(0.0),
             _ => 0.0,
+        }
+    }
+
+    /// How long after a contact [`Pad::surface`] is not yet that of the unloaded cushion.
+    pub(crate) fn recovery_s(&self, compression_m: f64) -> f64 {
+        if compression_m <= 0.0 {
+            return f64::NEG_INFINITY;
+        }
+        match self.cushion.law() {
+            ContactLaw::KelvinVoigt {
+                stiffness_n_m,
+                damping_n_s_m,
+            } => RECOVERED * damping_n_s_m / stiffness_n_m,
+            ContactLaw::HuntCrossley {
+                dissipation_s_m, ..
+            } => compression_m * dissipation_s_m,
+            _ => f64::NEG_INFINITY,
         }
     }
 

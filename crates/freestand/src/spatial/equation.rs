@@ -108,7 +108,7 @@ impl Grips {
             feet: Sorted::default(),
             alone: Vec::new(),
         };
-        grips.sort(world);
+        grips.sort(world, 0.0);
         grips
     }
 
@@ -130,10 +130,10 @@ impl Grips {
         self.each[index] = grip;
     }
 
-    pub(super) fn sort(&mut self, world: &World<'_>) {
+    pub(super) fn sort(&mut self, world: &World<'_>, time_s: f64) {
         self.alone.clear();
         if let Some(feet) = &world.feet {
-            feet.sort(&self.each, &mut self.feet, &mut self.alone);
+            feet.sort((&self.each, time_s), &mut self.feet, &mut self.alone);
         }
         let others = self.each.iter().enumerate().skip(world.feet());
         self.alone.extend(

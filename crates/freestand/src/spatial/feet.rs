@@ -50,9 +50,20 @@ const FAR: f64 = 0.1;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Sorted {
     pub(super) sums: Stuck,
-    /// Places of those that stick and of those without contact.
+    /// Places of those that stick, and the anchors of their springs.
     stuck: Vec<[f64; 2]>,
+    anchors: Vec<[f64; 2]>,
+    /// Places of those without contact above cushions that have recovered.
     open: Vec<[f64; 2]>,
+    recovering: Vec<Recovering>,
+}
+
+/// A foot without contact, above a cushion that was left at `since_s`.
+#[derive(Debug, Clone, Copy)]
+struct Recovering {
+    point: [f64; 2],
+    since_s: f64,
+    compression_m: f64,
 }
 
 /// What the margins of feet need of a pose: as functions of their places, displacements, how much longer a foot that
@@ -155,18 +166,39 @@ impl<'a> Feet<'a> {
     }
 
     /// Sorts the feet; returns the indices of those that carry otherwise.
-    pub(super) fn sort(&self, grips: &[Grip], sorted: &mut Sorted, alone: &mut Vec<usize>) {
+    pub(super) fn sort(
+        &self,
+        (grips, time_s): (&[Grip], f64),
+        sorted: &mut Sorted,
+        alone: &mut Vec<usize>,
+    ) {
         sorted.sums = Stuck::default();
         sorted.stuck.clear();
+        sorted.anchors.clear();
         sorted.open.clear();
-        for (index, (point, grip)) in self.points.iter().zip(grips).enumerate() {
-            match grip {
+        sorted.recovering.clear();
+        for (index, (&point, grip)) in self.points.iter().zip(grips).enumerate() {
+            match *grip {
                 Grip::Stick { anchor } if self.linear.is_some() => {
-                    sorted.sums.add(*point, *anchor);
-                    sorted.stuck.push(*point);
+                    sorted.sums.add(point, anchor);
+                    sorted.stuck.push(point);
+                    sorted.anchors.push(anchor);
                 }
                 Grip::Stick { .. } | Grip::Slip => alone.push(index),
-                Grip::Open { .. } => sorted.open.push(*point),
+                Grip::Open {
+                    since_s,
+                    compression_m,
+                } => {
+                    if time_s - since_s > self.pad.recovery_s(compression_m) {
+                        sorted.open.push(point);
+                    } else {
+                        sorted.recovering.push(Recovering {
+                            point,
+                            since_s,
+                            compression_m,
+                        });
+                    }
+                }
                 Grip::Gone => {}
             }
         }
@@ -266,58 +298,83 @@ impl<'a> Feet<'a> {
         }
     }
 
+    /// The least margin of the feet that stick with friction.
+    fn least_grip(&self, planes: &Planes, sorted: &Sorted, friction: f64) -> f64 {
+        let margin = |point: [f64; 2], anchor: [f64; 2]| {
+            let a = planes.right.of(point) - anchor[0];
+            let b = planes.back.of(point) - anchor[1];
+            let tangential_n = self.tangential_stiffness * (a * a + b * b).sqrt();
+            let grips = friction * planes.carried.of(point) - tangential_n / self.weight_n;
+            let pushes = planes.pushes.of(point);
+            if pushes < grips { pushes } else { grips }
+        };
+        // In lanes, so that it is calculated in vectors.
+        let mut least = [f64::INFINITY; 4];
+        let (points, last_points) = sorted.stuck.as_chunks::<4>();
+        let (anchors, last_anchors) = sorted.anchors.as_chunks::<4>();
+        for (points, anchors) in points.iter().zip(anchors) {
+            let margins: [f64; 4] = std::array::from_fn(|lane| margin(points[lane], anchors[lane]));
+            for (least, margin) in least.iter_mut().zip(margins) {
+                *least = if margin < *least { margin } else { *least };
+            }
+        }
+        let last = last_points.iter().zip(last_anchors);
+        let last = last.map(|(point, anchor)| margin(*point, *anchor));
+        least.into_iter().chain(last).fold(f64::INFINITY, f64::min)
+    }
+
     /// How far the feet are from their next event, if that is less than `least`: the least of both.
-    /// `of` gives it for a foot that carries otherwise than on a spring and a dashpot that stick.
+    /// `of` gives it for the feet among `alone`, which carry otherwise than on a spring and a dashpot that stick.
     pub(super) fn margin(
         &self,
-        (grips, sorted): (&[Grip], &Sorted),
+        (sorted, alone): (&Sorted, &[usize]),
         (time_s, pose): (f64, &Pose),
         mut least: f64,
         of: impl Fn(usize) -> f64,
     ) -> f64 {
         let planes = self.planes(time_s, pose);
-        // A surface that still recovers is no lower than the unloaded cushion.
-        let lowest_open_m = planes.up.least(&sorted.open);
-        let mut open_is_near = lowest_open_m < least * self.unit_m;
-        if !self.pad.is_damped() {
-            // It has recovered at once.
-            least = least.min(lowest_open_m / self.unit_m);
-            open_is_near = false;
-        }
-        let sticks_by_force = self.linear.is_some() && self.friction.is_none();
-        if sticks_by_force {
-            least = least.min(planes.pushes.least(&sorted.stuck));
-            if !open_is_near {
-                return least;
+        least = least.min(planes.up.least(&sorted.open) / self.unit_m);
+        for foot in &sorted.recovering {
+            // Its surface is no lower than the unloaded cushion.
+            let height_m = planes.up.of(foot.point);
+            if height_m < least * self.unit_m {
+                let surface_m = self.pad.surface(foot.since_s, foot.compression_m, time_s);
+                least = least.min((surface_m + height_m) / self.unit_m);
             }
         }
-        for (index, &grip) in grips.iter().take(self.len()).enumerate() {
-            let is_known = match grip {
-                Grip::Open { .. } => planes.up.of(self.points[index]) >= least * self.unit_m,
-                Grip::Stick { .. } => sticks_by_force,
-                Grip::Slip => false,
-                Grip::Gone => true,
-            };
-            if !is_known {
-                let margin = self.margin_of(&planes, index, grip);
-                least = least.min(margin.unwrap_or_else(|| of(index)));
-            }
-        }
-        least
+        least = least.min(match self.friction {
+            Some(friction) => self.least_grip(&planes, sorted, friction),
+            None => planes.pushes.least(&sorted.stuck),
+        });
+        let alone = alone.iter().take_while(|index| **index < self.len());
+        alone.fold(least, |least, &index| least.min(of(index)))
     }
 
-    /// Whether no foot has an event in a step of this length between two poses with their rates. All feet must stick on
-    /// linear cushions without friction, or be open.
-    pub(super) fn stay(&self, sorted: &Sorted, ends: [(&Pose, &[f64]); 2], length_s: f64) -> bool {
+    /// Whether no foot has an event in a step of this length until `end_s` between two poses with their rates. All feet
+    /// must stick on linear cushions without friction, or be open.
+    pub(super) fn stay(
+        &self,
+        sorted: &Sorted,
+        ends: [(&Pose, &[f64]); 2],
+        (end_s, length_s): (f64, f64),
+    ) -> bool {
         let (Some([k, c]), None) = (self.linear, self.friction) else {
             return false;
         };
         let z = self.z;
         let ups = ends.map(|(pose, _)| pose.displacement(z, 2));
         let risings = ends.map(|(pose, _)| pose.rising(z));
-        // An open cushion that still recovers is lower.
         let up = between([(ups[0], risings[0]), (ups[1], risings[1])], length_s);
-        if !is_far(up, &sorted.open, self.unit_m) {
+        let rises = |foot: &Recovering| {
+            // A surface sinks.
+            let surface_m = self.pad.surface(foot.since_s, foot.compression_m, end_s);
+            let sinks = up.map(|up| Flat {
+                at: up.at + surface_m,
+                ..up
+            });
+            is_far(sinks, &[foot.point], self.unit_m)
+        };
+        if !(is_far(up, &sorted.open, self.unit_m) && sorted.recovering.iter().all(rises)) {
             return false;
         }
         if c == 0.0 {

@@ -30,6 +30,8 @@ pub struct BaseLandings {
 /// The pulse of a point in progress.
 #[derive(Debug, Clone, Copy)]
 struct Pulse {
+    index: usize,
+    point: [f64; 2],
     start_s: f64,
     speed_m_s: f64,
     peak_m_s2: f64,
@@ -37,8 +39,9 @@ struct Pulse {
 
 #[derive(Debug, Clone)]
 pub(super) struct Landings {
-    /// Of each element.
-    pulses: Vec<Option<Pulse>>,
+    /// The points of the base: indices of their elements, and places.
+    points: Vec<(usize, [f64; 2])>,
+    pulses: Vec<Pulse>,
     hardest_m_s2: f64,
     found: BaseLandings,
     /// Largest distance of a point of the base from the axis.
@@ -47,12 +50,18 @@ pub(super) struct Landings {
 
 impl Landings {
     pub(super) fn new(elements: &[Element<'_>]) -> Self {
-        let base = elements.iter().filter(|element| element.role == Role::Base);
+        let elements = elements.iter().enumerate();
+        let base = elements.filter(|(_, element)| element.role == Role::Base);
+        let points: Vec<(usize, [f64; 2])> = base
+            .map(|(index, element)| (index, [element.point[0], element.point[1]]))
+            .collect();
         Self {
-            reach_m: base
-                .map(|element| element.point[0].hypot(element.point[1]))
+            reach_m: points
+                .iter()
+                .map(|(_, [x, y])| x.hypot(*y))
                 .fold(0.0, f64::max),
-            pulses: vec![None; elements.len()],
+            points,
+            pulses: Vec::new(),
             hardest_m_s2: 0.0,
             found: BaseLandings::default(),
         }
@@ -94,18 +103,19 @@ impl Landings {
         let may_be_deepest =
             deepest_m[0].max(deepest_m[1]) >= HEADROOM * self.found.peak_compression_m;
         let may_be_hardest = hardest_m_s2[0].max(hardest_m_s2[1]) >= worth_a_look_m_s2;
-        let has_pulses = self.pulses.iter().any(Option::is_some);
-        if !(may_be_deepest || may_be_hardest || has_pulses) {
-            return;
+        for pulse in &mut self.pulses {
+            // Of a pulse that is not the hardest so far the ends of steps will do.
+            let [before, now] = liftings.map(|lifting| lifting.of(pulse.point));
+            pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now);
         }
         let mut inner: Option<[Flat; 3]> = None;
         let mut highest: Option<(usize, [f64; 5], f64)> = None;
         let grips = seen.grips.each();
-        for (index, element) in world.elements.iter().enumerate() {
-            if element.role != Role::Base || !grips[index].carries() {
+        let is_worth_a_look = may_be_deepest || may_be_hardest;
+        for &(index, point) in self.points.iter().take_while(|_| is_worth_a_look) {
+            if !grips[index].carries() {
                 continue;
             }
-            let point = [element.point[0], element.point[1]];
             let at_point = |(depth, rate): (Flat, Flat)| (depth.of(point), rate.of(point));
             let pressed = |poses: &Poses| at_point(pressing(poses));
             let deepest_m = self.found.peak_compression_m;
@@ -115,14 +125,10 @@ impl Landings {
             {
                 self.found.peak_compression_m = most_m;
             }
-            if !(may_be_hardest || has_pulses) {
+            if !may_be_hardest {
                 continue;
             }
             let [before, now] = liftings.map(|lifting| lifting.of(point));
-            if let Some(pulse) = &mut self.pulses[index] {
-                // Of a pulse that is not the hardest so far the ends of steps will do.
-                pulse.peak_m_s2 = pulse.peak_m_s2.max(before).max(now);
-            }
             if before.max(now) >= worth_a_look_m_s2 {
                 let [a, b, c] = inner
                     .get_or_insert_with(|| [0.25, 0.5, 0.75].map(at))
@@ -148,44 +154,45 @@ impl Landings {
             };
             raise(&mut self.found.peak_acceleration_m_s2, up);
             let most_m_s2 = self.found.peak_acceleration_m_s2;
-            if let Some(pulse) = &mut self.pulses[index]
-                && most_m_s2 > known_m_s2
-            {
-                pulse.peak_m_s2 = pulse.peak_m_s2.max(most_m_s2);
+            if most_m_s2 > known_m_s2 {
+                let mut pulses = self.pulses.iter_mut();
+                if let Some(pulse) = pulses.find(|pulse| pulse.index == index) {
+                    pulse.peak_m_s2 = pulse.peak_m_s2.max(most_m_s2);
+                }
             }
         }
-        if !has_pulses {
-            return;
-        }
-        for (index, element) in world.elements.iter().enumerate() {
-            if self.pulses[index].is_none() || !grips[index].carries() {
-                continue;
-            }
-            let point = [element.point[0], element.point[1]];
+        let mut at = 0;
+        while let Some(&Pulse { index, point, .. }) = self.pulses.get(at) {
             let [before, now] = liftings.map(|lifting| lifting.of(point));
             if before > 0.0 && now <= 0.0 {
                 let share = before / (before - now);
                 let pose = &seen.poses(share)[0];
                 let rate_m_s = -pose.rising(z).of(point);
                 self.leave(index, step.start_s + share * step.length_s, rate_m_s);
+            } else {
+                at += 1;
             }
         }
     }
 
     /// A point of the base touches the floor at this speed.
     pub(super) fn touch(&mut self, index: usize, start_s: f64, speed_m_s: f64) {
-        self.pulses[index] = Some(Pulse {
+        let point = self.points.iter().find(|(of, _)| *of == index);
+        self.pulses.extend(point.map(|&(_, point)| Pulse {
+            index,
+            point,
             start_s,
             speed_m_s,
             peak_m_s2: 0.0,
-        });
+        }));
     }
 
     /// The pulse of an element, if there is one, ends with its cushion pressed at this rate.
     pub(super) fn leave(&mut self, index: usize, time_s: f64, rate_m_s: f64) {
-        let Some(pulse) = self.pulses[index].take() else {
+        let Some(at) = self.pulses.iter().position(|pulse| pulse.index == index) else {
             return;
         };
+        let pulse = self.pulses.remove(at);
         let change = pulse.speed_m_s + (-rate_m_s).max(0.0);
         self.found.velocity_change_m_s = self.found.velocity_change_m_s.max(change);
         if pulse.peak_m_s2 > self.hardest_m_s2 {
@@ -196,8 +203,8 @@ impl Landings {
 
     /// What was found until the end of the history.
     pub(super) fn close(mut self, end_s: f64) -> BaseLandings {
-        for index in 0..self.pulses.len() {
-            self.leave(index, end_s, 0.0);
+        while let Some(pulse) = self.pulses.first() {
+            self.leave(pulse.index, end_s, 0.0);
         }
         self.found
     }

@@ -263,7 +263,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 self.change(index, &poses);
             }
             if !past.is_empty() {
-                self.grips.sort(self.world);
+                self.grips.sort(self.world, self.time_s);
                 self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
             }
             if let Some(body) =
@@ -364,7 +364,8 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             (&self.poses[0], &step.start_rates()[..]),
             (&end, &step.end_rates()[..]),
         ];
-        !(is_upright && feet.stay(self.grips.feet(), ends, step.length_s))
+        let times = (step.start_s + step.length_s, step.length_s);
+        !(is_upright && feet.stay(self.grips.feet(), ends, times))
     }
 
     /// The smallest of all margins, or `most`; overturning counts as one of them.
@@ -381,7 +382,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
         let Some(feet) = &self.world.feet else {
             return least;
         };
-        let grips = (self.grips.each(), self.grips.feet());
+        let grips = (self.grips.feet(), self.grips.alone());
         feet.margin(grips, (time_s, &poses[0]), least, of)
     }
 
