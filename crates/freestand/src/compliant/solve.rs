@@ -364,8 +364,8 @@ impl<'a, 'b, F: FnMut(&Piece<'_, '_>)> Solver<'a, 'b, F> {
         let rates = |time_s: f64, y: &State, rates: &mut State| {
             self.body.write_rates(&self.grips, line, (time_s, y), rates);
         };
-        let scales = (&self.sizes, self.tolerance);
-        step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
+        step.take(rates, self.time_s, (&self.y, &self.rates), length_s);
+        step.error_ratio(&self.sizes, self.tolerance)
     }
 
     /// Takes the next step.

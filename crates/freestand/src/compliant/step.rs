@@ -187,16 +187,14 @@ impl<const N: usize> Step<N> {
     }
 
     /// Takes the step over `length_s` from a state and its rates; `rates` writes the rates at a time and a state into
-    /// its last argument. Returns the error estimate as a multiple of `tolerance`, a share of the sizes of the
-    /// entries: above 1 the step was too long.
+    /// its last argument.
     pub(crate) fn take(
         &mut self,
         rates: impl Fn(f64, &[f64; N], &mut [f64; N]),
         start_s: f64,
         (start, start_rates): (&[f64; N], &[f64; N]),
         length_s: f64,
-        (sizes, tolerance): (&[f64; N], f64),
-    ) -> f64 {
+    ) {
         let len = self.len;
         (self.start_s, self.length_s) = (start_s, length_s);
         self.start[..len].copy_from_slice(&start[..len]);
@@ -215,10 +213,16 @@ impl<const N: usize> Step<N> {
             &mut self.last,
             len,
         );
+    }
+
+    /// The error estimate as a multiple of `tolerance`, a share of the sizes of the entries: above 1 the step was too
+    /// long.
+    pub(crate) fn error_ratio(&mut self, sizes: &[f64; N], tolerance: f64) -> f64 {
+        let len = self.len;
         weighted(
             self.pair.error,
             &self.slopes,
-            from_nothing,
+            (&[0.0; N], self.length_s),
             &mut self.errors,
             len,
         );
@@ -372,13 +376,7 @@ mod tests {
                 let (start, start_rates) = ([1.0, 0.0], [0.0, 1.0]);
                 let mut step = Step::new(&start, 2, pair);
                 let rates = |_: f64, y: &[f64; 2], rates: &mut [f64; 2]| *rates = [-y[1], y[0]];
-                step.take(
-                    rates,
-                    0.0,
-                    (&start, &start_rates),
-                    length_s,
-                    (&[1.0; 2], 1.0),
-                );
+                step.take(rates, 0.0, (&start, &start_rates), length_s);
                 let error = |share: f64| {
                     let [x, y] = if share == 1.0 {
                         step.end

@@ -31,6 +31,10 @@ const LONGEST_RAD: f64 = 1.25;
 /// Of a body whose axis has more than this vertical part at both ends of a step, none overturns within.
 const UPRIGHT: f64 = 0.1;
 
+/// The error of the direction of a spring that slips counts with its force as a share of the weight, but at least with
+/// this one.
+const LIGHT: f64 = 1e-3;
+
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
     pub(super) end_time_s: f64,
@@ -196,8 +200,24 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             self.world
                 .enter_rates(&self.grips, line, (time_s, y), rates);
         };
-        let scales = (&self.sizes, self.tolerance);
-        step.take(rates, self.time_s, (&self.y, &self.rates), length_s, scales)
+        step.take(rates, self.time_s, (&self.y, &self.rates), length_s);
+        let is_slipping = |index: &&usize| self.grips.each()[**index] == Grip::Slip;
+        let mut slipping = self.grips.alone().iter().filter(is_slipping).peekable();
+        if slipping.peek().is_none() {
+            return step.error_ratio(&self.sizes, self.tolerance);
+        }
+        let (mut sizes, ends) = (self.sizes, [self.poses, self.world.poses(&step.end)]);
+        for &index in slipping {
+            let element = &self.world.elements[index];
+            let force_n = |poses: &Poses| {
+                let foot = self.world.foot(element, poses);
+                element.pad.push(foot.compression, foot.compression_rate)
+            };
+            let most_n = force_n(&ends[0]).max(force_n(&ends[1]));
+            let share = (most_n / element.weight_n).clamp(LIGHT, 1.0);
+            sizes[self.world.direction(element)] /= share;
+        }
+        step.error_ratio(&sizes, self.tolerance)
     }
 
     /// Takes the next step.
