@@ -149,6 +149,8 @@ pub(crate) struct Step<const N: usize> {
     inner: [f64; N],
     /// Error estimates, by their scales.
     errors: [f64; N],
+    /// The blocks of entries that change.
+    changing: Changing,
     /// The rates at the start, at each stage, and at the end.
     slopes: [[f64; N]; MOST_RATES],
     pair: &'static Pair,
@@ -157,6 +159,7 @@ pub(crate) struct Step<const N: usize> {
 impl<const N: usize> Step<N> {
     /// An empty step, for states of which `len` entries are in use.
     pub(crate) fn new(start: &[f64; N], len: usize, pair: &'static Pair) -> Self {
+        const { assert!(N <= BLOCK * MOST_BLOCKS) };
         Self {
             start_s: 0.0,
             length_s: 0.0,
@@ -166,8 +169,26 @@ impl<const N: usize> Step<N> {
             last: [0.0; N],
             inner: *start,
             errors: [0.0; N],
+            changing: [true; MOST_BLOCKS],
             slopes: [[0.0; N]; MOST_RATES],
             pair,
+        }
+    }
+
+    /// From now on only the first entries and `others` change; the rates of all others are zero.
+    pub(crate) fn change_only(&mut self, first: usize, others: impl Iterator<Item = usize>) {
+        let before = self.changing;
+        for (block, changing) in self.changing.iter_mut().enumerate() {
+            *changing = BLOCK * block < first;
+        }
+        others.for_each(|entry| self.changing[entry / BLOCK] = true);
+        for block in 0..MOST_BLOCKS {
+            if before[block] && !self.changing[block] {
+                let entries = (BLOCK * block).min(N)..(BLOCK * (block + 1)).min(N);
+                for values in self.slopes.iter_mut().chain([&mut self.last]) {
+                    values[entries.clone()].fill(0.0);
+                }
+            }
         }
     }
 
@@ -198,11 +219,12 @@ impl<const N: usize> Step<N> {
         let len = self.len;
         (self.start_s, self.length_s) = (start_s, length_s);
         self.start[..len].copy_from_slice(&start[..len]);
+        self.end[..len].copy_from_slice(&start[..len]);
         self.slopes[0][..len].copy_from_slice(&start_rates[..len]);
         for (stage, (node, weights)) in self.pair.nodes.iter().zip(self.pair.stages).enumerate() {
             let (slopes, later) = self.slopes.split_at_mut(stage + 1);
             let start = (&self.start, length_s);
-            weighted(weights, slopes, start, &mut self.end, len);
+            weighted(weights, slopes, start, &mut self.end, (len, &self.changing));
             rates(start_s + node * length_s, &self.end, &mut later[0]);
         }
         let from_nothing = (&[0.0; N], length_s);
@@ -211,7 +233,7 @@ impl<const N: usize> Step<N> {
             &self.slopes,
             from_nothing,
             &mut self.last,
-            len,
+            (len, &self.changing),
         );
     }
 
@@ -224,17 +246,18 @@ impl<const N: usize> Step<N> {
             &self.slopes,
             (&[0.0; N], self.length_s),
             &mut self.errors,
-            len,
+            (len, &self.changing),
         );
-        for i in 0..len {
-            let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
-            self.errors[i] /= tolerance * scale;
-        }
-        // In lanes, whose additions do not wait for each other; behind `len` there is no error.
+        // In lanes, whose additions do not wait for each other.
         let mut sums = [0.0; BLOCK];
-        for block in self.errors[..len.next_multiple_of(BLOCK).min(N)].chunks(BLOCK) {
-            for (sum, ratio) in sums.iter_mut().zip(block) {
-                *sum += ratio * ratio;
+        for at in (0..len).step_by(BLOCK) {
+            if !self.changing[at / BLOCK] {
+                continue;
+            }
+            for i in at..(at + BLOCK).min(len) {
+                let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
+                let ratio = self.errors[i] / (tolerance * scale);
+                sums[i - at] += ratio * ratio;
             }
         }
         (sums.iter().sum::<f64>() / len as f64).sqrt()
@@ -276,24 +299,29 @@ impl<const N: usize> Step<N> {
 /// Entries that are summed at once.
 const BLOCK: usize = 8;
 
-/// start + h Σ wⱼ sⱼ of the first `len` entries.
+/// The most blocks of a state.
+const MOST_BLOCKS: usize = 8;
+
+type Changing = [bool; MOST_BLOCKS];
+
+/// start + h Σ wⱼ sⱼ of the first `len` entries, of those that change.
 fn weighted<const N: usize>(
     weights: &[f64],
     slopes: &[[f64; N]],
     start: (&[f64; N], f64),
     out: &mut [f64; N],
-    len: usize,
+    used: (usize, &Changing),
 ) {
     // A number of weights that the compiler knows, so that it unrolls the sums.
     match weights.len() {
-        1 => weighted_of::<N, 1>(weights, slopes, start, out, len),
-        2 => weighted_of::<N, 2>(weights, slopes, start, out, len),
-        3 => weighted_of::<N, 3>(weights, slopes, start, out, len),
-        4 => weighted_of::<N, 4>(weights, slopes, start, out, len),
-        5 => weighted_of::<N, 5>(weights, slopes, start, out, len),
-        6 => weighted_of::<N, 6>(weights, slopes, start, out, len),
-        7 => weighted_of::<N, 7>(weights, slopes, start, out, len),
-        _ => weighted_of::<N, MOST_RATES>(weights, slopes, start, out, len),
+        1 => weighted_of::<N, 1>(weights, slopes, start, out, used),
+        2 => weighted_of::<N, 2>(weights, slopes, start, out, used),
+        3 => weighted_of::<N, 3>(weights, slopes, start, out, used),
+        4 => weighted_of::<N, 4>(weights, slopes, start, out, used),
+        5 => weighted_of::<N, 5>(weights, slopes, start, out, used),
+        6 => weighted_of::<N, 6>(weights, slopes, start, out, used),
+        7 => weighted_of::<N, 7>(weights, slopes, start, out, used),
+        _ => weighted_of::<N, MOST_RATES>(weights, slopes, start, out, used),
     }
 }
 
@@ -304,7 +332,7 @@ fn weighted_of<const N: usize, const M: usize>(
     slopes: &[[f64; N]],
     (start, h): (&[f64; N], f64),
     out: &mut [f64; N],
-    len: usize,
+    (len, changing): (usize, &Changing),
 ) {
     let (weights, slopes) = (&weights[..M], &slopes[..M]);
     let blocks: [&[[f64; BLOCK]]; M] = std::array::from_fn(|j| slopes[j].as_chunks().0);
@@ -312,6 +340,9 @@ fn weighted_of<const N: usize, const M: usize>(
     let outs = out.as_chunks_mut::<BLOCK>().0;
     let used = len.div_ceil(BLOCK).min(outs.len());
     for at in 0..used {
+        if !changing[at] {
+            continue;
+        }
         let mut sums = [0.0; BLOCK];
         for (weight, blocks) in weights.iter().zip(&blocks) {
             for (sum, slope) in sums.iter_mut().zip(&blocks[at]) {

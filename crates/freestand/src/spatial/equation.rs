@@ -125,6 +125,12 @@ impl Grips {
         &self.alone
     }
 
+    /// The elements that slip.
+    pub(super) fn slipping(&self) -> impl Iterator<Item = usize> {
+        let alone = self.alone.iter().copied();
+        alone.filter(|index| self.each[*index] == Grip::Slip)
+    }
+
     /// Gives an element another grip; [`Grips::sort`] comes after all changes.
     pub(super) fn set(&mut self, index: usize, grip: Grip) {
         self.each[index] = grip;
@@ -212,9 +218,14 @@ impl<'a> World<'a> {
         BODY * self.bodies.len()
     }
 
+    /// Index of the first direction of a stretch.
+    pub(super) fn directions(&self) -> usize {
+        self.behind() + DIRECTION
+    }
+
     /// Index of the direction of an element's stretch.
     pub(super) fn direction(&self, element: &Element) -> usize {
-        self.behind() + DIRECTION + element.slot
+        self.directions() + element.slot
     }
 
     /// The state upright above unloaded cushions.

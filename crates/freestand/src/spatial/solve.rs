@@ -201,13 +201,12 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 .enter_rates(&self.grips, line, (time_s, y), rates);
         };
         step.take(rates, self.time_s, (&self.y, &self.rates), length_s);
-        let is_slipping = |index: &&usize| self.grips.each()[**index] == Grip::Slip;
-        let mut slipping = self.grips.alone().iter().filter(is_slipping).peekable();
+        let mut slipping = self.grips.slipping().peekable();
         if slipping.peek().is_none() {
             return step.error_ratio(&self.sizes, self.tolerance);
         }
         let (mut sizes, ends) = (self.sizes, [self.poses, self.world.poses(&step.end)]);
-        for &index in slipping {
+        for index in slipping {
             let element = &self.world.elements[index];
             let force_n = |poses: &Poses| {
                 let foot = self.world.foot(element, poses);
@@ -284,6 +283,10 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
             }
             if !past.is_empty() {
                 self.grips.sort(self.world, self.time_s);
+                let slipping = self.grips.slipping();
+                let directions =
+                    slipping.map(|index| self.world.direction(&self.world.elements[index]));
+                step.change_only(self.world.directions(), directions);
                 self.rates = self.world.rates(&self.grips, line, self.time_s, &self.y);
             }
             if let Some(body) =
@@ -359,11 +362,8 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
 
     /// The rates that the margins of slipping elements need, if any does.
     fn rates_of_slip(&self, line: &Line, time_s: f64, y: &State) -> Option<State> {
-        let slips = |&index: &usize| {
-            let pad = &self.world.elements[index].pad;
-            self.grips.each()[index] == Grip::Slip && pad.is_damped()
-        };
-        let is_needed = self.grips.alone().iter().any(slips);
+        let is_damped = |index: usize| self.world.elements[index].pad.is_damped();
+        let is_needed = self.grips.slipping().any(is_damped);
         is_needed.then(|| self.world.rates(&self.grips, line, time_s, y))
     }
 
