@@ -234,11 +234,17 @@ fn nearer<const N: usize>(
     let (mut high, mut high_margin) = (share, at(share));
     let mut last_side = 0;
     for _ in 0..EVENT_TRIALS {
-        if !(low_margin > 0.0 && high_margin < 0.0) || high_margin > -close || high - low < close {
+        if high_margin > -close || high - low < close {
             break;
         }
-        let middle =
-            low + (high - low) * (low_margin / (low_margin - high_margin)).clamp(1e-6, 1.0 - 1e-6);
+        // An element that has just changed may still be past its event at the start, by rounding.
+        let ratio = low_margin / (low_margin - high_margin);
+        let inside = if low_margin > 0.0 && ratio.is_finite() {
+            ratio.clamp(1e-6, 1.0 - 1e-6)
+        } else {
+            0.5
+        };
+        let middle = low + inside * (high - low);
         let margin = at(middle);
         if margin < 0.0 {
             (high, high_margin) = (middle, margin);
