@@ -585,7 +585,6 @@ impl SpatialObject {
         let is_planar = matches!(self.shape, Shape::Plane { .. });
         let feet = elements
             .first()
-            .filter(|_| !is_planar)
             .map(|one| Feet::new(feet, -cg_height, one));
         World {
             feet,

@@ -2,6 +2,7 @@
 
 use super::element::{Element, Role};
 use super::equation::{Rigid, World};
+use super::feet::Feet;
 use super::solve::{Ended, follow};
 use super::track::{BodyMotion, Patterns};
 use super::{BaseLandings, Shape, SpatialOptions, SpatialPiece, SpatialStart, Support};
@@ -144,7 +145,18 @@ impl Stack {
             });
             slots += usize::from(self.interface.friction_ratio.is_some());
         }
-        World::new(bodies, elements, gravity, true)
+        let feet_m: Vec<[f64; 2]> = elements
+            .iter()
+            .take(2)
+            .map(|foot| [foot.point[0], foot.point[1]])
+            .collect();
+        let feet = elements
+            .first()
+            .map(|one| Feet::new(feet_m, -half_m[0], one));
+        World {
+            feet,
+            ..World::new(bodies, elements, gravity, true)
+        }
     }
 
     /// Returns an error if the cushions do not keep the stack upright: the energy of both rotations
