@@ -274,8 +274,15 @@ impl<const N: usize> Step<N> {
 
     /// The state at a share of the step, without a copy of what is not in use.
     pub(crate) fn look(&mut self, share: f64) -> &[f64; N] {
-        for i in 0..self.len {
-            self.inner[i] = self.entry(i, share);
+        for at in (0..self.len).step_by(BLOCK) {
+            let entries = at..(at + BLOCK).min(self.len);
+            if self.changing[at / BLOCK] {
+                for i in entries {
+                    self.inner[i] = self.entry(i, share);
+                }
+            } else {
+                self.inner[entries.clone()].copy_from_slice(&self.start[entries]);
+            }
         }
         &self.inner
     }

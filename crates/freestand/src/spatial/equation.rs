@@ -239,12 +239,18 @@ impl<'a> World<'a> {
 
     #[inline]
     pub(super) fn poses(&self, y: &State) -> Poses {
+        self.poses_with(Pose::at(y), y)
+    }
+
+    /// [`World::poses`] with that of the first body known.
+    #[inline]
+    fn poses_with(&self, lower: Pose, y: &State) -> Poses {
         let upper = if self.bodies.len() == MAX_BODIES {
             Pose::at(&y[BODY..])
         } else {
             Pose::STILL
         };
-        [Pose::at(y), upper]
+        [lower, upper]
     }
 
     /// The poses at a share of a step.
@@ -380,7 +386,7 @@ impl<'a> World<'a> {
             self.enter_body(0, (push.force, push.torque), (y, &lower), shaking, rates);
             return;
         }
-        let poses = self.poses(y);
+        let poses = self.poses_with(lower, y);
         let (mut forces, mut torques) = ([push.force, [0.0; 3]], [push.torque, [0.0; 3]]);
         let behind = self.behind();
         for &index in &grips.alone {

@@ -583,9 +583,7 @@ impl SpatialObject {
             elements.extend(wall.elements(&self.shape, &foot));
         }
         let is_planar = matches!(self.shape, Shape::Plane { .. });
-        let feet = elements
-            .first()
-            .map(|one| Feet::new(feet, -cg_height, one));
+        let feet = elements.first().map(|one| Feet::new(feet, -cg_height, one));
         World {
             feet,
             ..World::new(vec![body], elements, gravity, is_planar)
