@@ -31,9 +31,10 @@ const LONGEST_RAD: f64 = 1.25;
 /// Of a body whose axis has more than this vertical part at both ends of a step, none overturns within.
 const UPRIGHT: f64 = 0.1;
 
-/// The error of the direction of a spring that slips counts with its force as a share of the weight, but at least with
-/// this one.
+/// The error of the direction of a spring that slips counts with its force at the end of the step as a share of the weight,
+/// but at least with the share `LIGHT`, and with `KEPT` of that at the start: a foot that presses more again turns its spring soon.
 const LIGHT: f64 = 1e-3;
+const KEPT: f64 = 0.1;
 
 /// What every history of bodies in space ends with.
 pub(super) struct Ended {
@@ -212,7 +213,7 @@ impl<'a, 'b, F: FnMut(&SpatialPiece<'_, '_>)> Solver<'a, 'b, F> {
                 let foot = self.world.foot(element, poses);
                 element.pad.push(foot.compression, foot.compression_rate)
             };
-            let most_n = force_n(&ends[0]).max(force_n(&ends[1]));
+            let most_n = (KEPT * force_n(&ends[0])).max(force_n(&ends[1]));
             let share = (most_n / element.weight_n).clamp(LIGHT, 1.0);
             sizes[self.world.direction(element)] /= share;
         }
