@@ -274,14 +274,26 @@ impl<const N: usize> Step<N> {
 
     /// The state at a share of the step, without a copy of what is not in use.
     pub(crate) fn look(&mut self, share: f64) -> &[f64; N] {
+        let (rest, length_s, last_rates) = (1.0 - share, self.length_s, self.evaluations());
+        let [first_rates, .., _] = &self.slopes;
+        let last_rates = &self.slopes[last_rates];
         for at in (0..self.len).step_by(BLOCK) {
             let entries = at..(at + BLOCK).min(self.len);
-            if self.changing[at / BLOCK] {
-                for i in entries {
-                    self.inner[i] = self.entry(i, share);
-                }
-            } else {
-                self.inner[entries.clone()].copy_from_slice(&self.start[entries]);
+            let (start, end) = (&self.start[entries.clone()], &self.end[entries.clone()]);
+            let inner = &mut self.inner[entries.clone()];
+            inner.copy_from_slice(start);
+            if !self.changing[at / BLOCK] {
+                continue;
+            }
+            let rates = first_rates[entries.clone()]
+                .iter()
+                .zip(&last_rates[entries.clone()]);
+            let others = end.iter().zip(rates).zip(&self.last[entries]);
+            for (value, ((end, (first, last)), bow)) in inner.iter_mut().zip(others) {
+                let change = end - *value;
+                let bend = length_s * first - change;
+                let twist = change - length_s * last - bend;
+                *value += share * (change + rest * (bend + share * (twist + rest * bow)));
             }
         }
         &self.inner

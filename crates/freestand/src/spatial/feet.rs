@@ -43,8 +43,13 @@ pub(super) struct Stuck {
 /// Far more than rounding changes a margin of the order of 1.
 const ROUNDED: f64 = 1e-6;
 
-/// As a share of its unit, or of how deep it may fall within a step, a margin above this needs no search.
-const FAR: f64 = 0.1;
+/// A margin above this share of its unit, after it has lost `MISSED` of how deep the hull of its control points falls below the
+/// ends, needs no search: the cubic through both ends misses far less than that.
+const FAR: f64 = 0.02;
+const MISSED: f64 = 0.1;
+
+/// How often a step is halved where the hull of its control points does not tell.
+const HALVINGS: usize = 2;
 
 /// The feet, sorted by how they hold on.
 #[derive(Debug, Clone, Default)]
@@ -90,10 +95,32 @@ fn between([(from, leaves), (to, comes)]: [(Flat, Flat); 2], length_s: f64) -> [
 
 /// Whether a quantity with these control points stays above zero at all these places.
 fn is_far(planes: [Flat; 4], points: &[[f64; 2]], unit: f64) -> bool {
+    is_far_in(planes, points, (FAR * unit, MISSED), HALVINGS)
+}
+
+/// [`is_far`] in a part of the step; `keep` is how far at least, and as a share of what the hull falls below its ends.
+fn is_far_in(planes: [Flat; 4], points: &[[f64; 2]], keep: (f64, f64), halvings: usize) -> bool {
     let [from, early, late, to] = Flat::least_of(planes, points);
     let (ends, inner) = (from.min(to), early.min(late));
-    // What the cubic misses is far less than a tenth of what it may fall below the ends.
-    inner.min(ends) - FAR * (ends - inner).max(0.0) > FAR * unit
+    if inner.min(ends) - keep.1 * (ends - inner).max(0.0) > keep.0 {
+        return true;
+    }
+    if ends <= keep.0 || halvings == 0 {
+        return false;
+    }
+    // In half of a step the hull falls a quarter as deep.
+    let keep = (keep.0, 4.0 * keep.1);
+    let mut halves = halved(planes).into_iter();
+    halves.all(|half| is_far_in(half, points, keep, halvings - 1))
+}
+
+/// The control points of both halves (de Casteljau).
+fn halved([a, b, c, d]: [Flat; 4]) -> [[Flat; 4]; 2] {
+    let middle = |one: Flat, other: Flat| one.plus(other).times(0.5);
+    let (ab, bc, cd) = (middle(a, b), middle(b, c), middle(c, d));
+    let (abc, bcd) = (middle(ab, bc), middle(bc, cd));
+    let all = middle(abc, bcd);
+    [[a, ab, abc, all], [all, bcd, cd, d]]
 }
 
 impl Stuck {
@@ -239,7 +266,11 @@ impl<'a> Feet<'a> {
         Push {
             force: [right, back, up],
             torque: difference(&[z[1], x[2], y[0]], &[y[2], z[0], x[1]]),
-            dissipated_w: c * stuck.squares(rising),
+            dissipated_w: if c > 0.0 {
+                c * stuck.squares(rising)
+            } else {
+                0.0
+            },
         }
     }
 
@@ -386,11 +417,8 @@ impl<'a> Feet<'a> {
             let rate = force(risings[end], pose.lifting(z, rates));
             (force(ups[end], risings[end]), rate)
         };
-        is_far(
-            between([of(0), of(1)], length_s),
-            &sorted.stuck,
-            self.weight_n,
-        )
+        let forces = between([of(0), of(1)], length_s);
+        is_far(forces, &sorted.stuck, self.weight_n / self.len() as f64)
     }
 
     /// The feet that may be past their event.
