@@ -16,7 +16,7 @@ use crate::rocking::LONGEST_TAIL_S;
 
 /// The error of a step is a mean over the entries of the state; many of them hardly move. With this
 /// share of the tolerance the energy balance closes as in the plane.
-const SHARE: f64 = 0.25;
+const SHARE: f64 = 0.3;
 
 /// How near to an event the interpolating polynomial is searched, and how far past it a step may
 /// end, as a margin of the order of 1 and a multiple of the tolerance. A contact that begins or ends
