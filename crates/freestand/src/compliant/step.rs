@@ -250,14 +250,24 @@ impl<const N: usize> Step<N> {
         );
         // In lanes, whose additions do not wait for each other.
         let mut sums = [0.0; BLOCK];
+        let ratio = |i: usize| {
+            let [start, end] = [self.start[i].abs(), self.end[i].abs()];
+            let scale = sizes[i] + RELATIVE * if start > end { start } else { end };
+            self.errors[i] / (tolerance * scale)
+        };
         for at in (0..len).step_by(BLOCK) {
             if !self.changing[at / BLOCK] {
                 continue;
             }
-            for i in at..(at + BLOCK).min(len) {
-                let scale = sizes[i] + RELATIVE * self.start[i].abs().max(self.end[i].abs());
-                let ratio = self.errors[i] / (tolerance * scale);
-                sums[i - at] += ratio * ratio;
+            if at + BLOCK <= len {
+                let ratios: [f64; BLOCK] = std::array::from_fn(|lane| ratio(at + lane));
+                for (sum, ratio) in sums.iter_mut().zip(ratios) {
+                    *sum += ratio * ratio;
+                }
+            } else {
+                for (sum, i) in sums.iter_mut().zip(at..len) {
+                    *sum += ratio(i).powi(2);
+                }
             }
         }
         (sums.iter().sum::<f64>() / len as f64).sqrt()

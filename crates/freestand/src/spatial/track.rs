@@ -175,6 +175,12 @@ impl Track {
             };
             let of = |poses: &Poses| size(axis(poses));
             let best = peaks.tangents[side];
+            // As below, without divisions.
+            let is_low =
+                |(axis, _): &(Vector, Vector)| axis[side].abs() < HEADROOM * best * axis[2];
+            if ends.iter().all(is_low) {
+                continue;
+            }
             if let Some((share, most)) = seen.crest_between(best, ends.map(size), of) {
                 peaks.tangents[side] = most;
                 peaks.tilts[side] = tilts(&axis_at(share))[side];
