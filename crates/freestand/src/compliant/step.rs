@@ -182,8 +182,8 @@ impl<const N: usize> Step<N> {
             *changing = BLOCK * block < first;
         }
         others.for_each(|entry| self.changing[entry / BLOCK] = true);
-        for block in 0..MOST_BLOCKS {
-            if before[block] && !self.changing[block] {
+        for (block, changed) in before.into_iter().enumerate() {
+            if changed && !self.changing[block] {
                 let entries = (BLOCK * block).min(N)..(BLOCK * (block + 1)).min(N);
                 for values in self.slopes.iter_mut().chain([&mut self.last]) {
                     values[entries.clone()].fill(0.0);

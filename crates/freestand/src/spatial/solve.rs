@@ -15,7 +15,7 @@ use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
 
 /// The error of a step is a mean over the entries of the state; many of them hardly move. With this
-/// share of the tolerance the energy balance closes as in the plane.
+/// share of the tolerance half of the energy balances stay open by less than a third of it at `fast` (benches/README.md).
 const SHARE: f64 = 0.3;
 
 /// How near to an event the interpolating polynomial is searched, and how far past it a step may
