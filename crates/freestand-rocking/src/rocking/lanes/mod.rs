@@ -239,7 +239,7 @@ fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
 
 /// The motion for the kernel, and the number of intervals after it in which a block may come to
 /// rest. `None`: the scalar solver calculates the responses or reports the error.
-fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usize>)> {
+fn prepare<'a>(base: Base<'a>, options: &RockingOptions) -> Option<(Shaking<'a>, Option<usize>)> {
     if options.model == RockingModel::Linearised
         || options.initial_rotation_rad != 0.0
         || options.initial_omega_rad_s != 0.0

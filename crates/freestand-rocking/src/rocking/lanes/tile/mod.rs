@@ -39,7 +39,7 @@ pub(super) struct Work {
 }
 
 pub(super) struct Tile<'a> {
-    shaking: &'a Shaking,
+    shaking: &'a Shaking<'a>,
     rockers: &'a [Rocker],
     pub(super) records: Vec<Record>,
     pub(super) walls: Vec<WallRecord>,
@@ -65,6 +65,9 @@ pub(super) struct Tile<'a> {
     rest_w: f64,
 }
 
+/// Intervals in which a lift is looked for at once.
+const AHEAD: usize = 64;
+
 /// One step of an interval.
 struct Step<'a> {
     interval: usize,
@@ -77,7 +80,7 @@ impl<'a> Tile<'a> {
     pub(super) fn new(
         arch: Arch,
         degree: Degree,
-        shaking: &'a Shaking,
+        shaking: &'a Shaking<'a>,
         rockers: &'a [Rocker],
         walls: Vec<WallRecord>,
         parts: usize,
@@ -148,11 +151,18 @@ impl<'a> Tile<'a> {
     /// The first interval, from index `from`, in which a block moves or is lifted.
     fn busy_from(&self, from: usize) -> Option<usize> {
         let ahead = self.lifted_in.get(from..).unwrap_or_default();
-        match self.moving.is_empty() {
-            true => ahead.iter().position(|block| *block != NONE),
-            false => (!ahead.is_empty()).then_some(0),
+        if !self.moving.is_empty() {
+            return (!ahead.is_empty()).then_some(from);
         }
-        .map(|ahead| from + ahead)
+        // Many at a time where none is lifted, which has all bits of NONE.
+        let is_still = |blocks: &&[u32]| blocks.iter().fold(NONE, |all, block| all & block) == NONE;
+        let still: usize = ahead
+            .chunks(AHEAD)
+            .take_while(is_still)
+            .map(<[u32]>::len)
+            .sum();
+        let lifted = ahead[still..].iter().position(|block| *block != NONE)?;
+        Some(from + still + lifted)
     }
 
     /// Calculates the blocks that still move after the motion, for at most `wait` intervals.
