@@ -8,7 +8,7 @@
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
 //! copied to a batch (`batch`), where landings and maxima are roots of the series, and where a block
 //! goes on from an impact to the end of the step if nothing else happens in it. Otherwise it comes to
-//! rest, makes short flights and its last impacts (`chatter`), or is taken to its next event
+//! rest, makes short flights (`flights`) and its last impacts (`chatter`), or is taken to its next event
 //! (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
 //! found from maxima over spans of the motion (`shaking`, `tile/waiting`). After the motion the
 //! rest of the response follows from the conservation of energy (`quiet`).
@@ -19,6 +19,7 @@
 mod batch;
 mod chatter;
 mod degree;
+mod flights;
 mod quiet;
 mod ranks;
 mod record;

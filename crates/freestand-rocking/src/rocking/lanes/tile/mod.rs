@@ -8,6 +8,7 @@ use pulp::Arch;
 
 use super::batch::{BATCH, Batch};
 use super::degree::Degree;
+use super::flights::Flights;
 use super::quiet::tail;
 use super::ranks::{Moving, NONE, Ranks};
 use super::record::{Record, State, WallRecord};
@@ -55,6 +56,8 @@ pub(super) struct Tile<'a> {
     queue: Vec<u32>,
     again: Vec<u32>,
     batch: Batch,
+    /// Lanes that wait for the calculation of their short flights.
+    flights: Flights,
     /// Linked lists of the blocks lifted in each interval: its first block, and the next after each
     /// block.
     lifted_in: Vec<u32>,
@@ -102,6 +105,7 @@ impl<'a> Tile<'a> {
             queue: Vec::new(),
             again: Vec::new(),
             batch: Batch::new(walled, rockers.iter().all(Rocker::is_symmetric)),
+            flights: Flights::default(),
             lifted_in: vec![NONE; shaking.intervals()],
             lifted_next: vec![NONE; rockers.len()],
             pending: Vec::new(),
@@ -243,7 +247,10 @@ impl<'a> Tile<'a> {
             }
             self.work.steps += self.moving.count();
             advance(self.arch, self.moving.in_use(), ground, &mut self.queue);
-            while !self.queue.is_empty() {
+            while !self.queue.is_empty() || !self.flights.is_empty() {
+                if self.queue.is_empty() {
+                    self.fly(&step);
+                }
                 let mut queue = std::mem::take(&mut self.queue);
                 for batch in queue.chunks(BATCH) {
                     self.events(&step, batch);
