@@ -6,8 +6,8 @@
 //! remains.
 
 use crate::motion::Motion;
+use rustfft::num_traits::Float;
 use std::f64::consts::TAU;
-use std::ops::{Add, Mul, Neg, Sub};
 use thiserror::Error;
 
 /// Damping of an oscillator where none is stated, as a share of critical damping: that of the
@@ -495,7 +495,7 @@ impl LaneGroup {
 ///
 /// Without the velocity an oscillator is a recurrence in three samples, from two exact steps: `u₂ =
 /// tr u₁ − det u₀ + b₂ a₂ + b₁ a₁ + b₀ a₀`, with the trace and the determinant of the step's matrix.
-/// That is two thirds of the operations of a step.
+/// For u/b₂ that is four fused operations.
 #[derive(Debug, Clone)]
 pub(crate) struct DisplacementBank {
     exact: Vec<RecurrenceGroup<f64, LANES>>,
@@ -507,6 +507,8 @@ pub(crate) struct DisplacementBank {
 #[derive(Debug, Clone)]
 struct ThinnedGroup {
     every: usize,
+    /// Samples in half of the longest period: vibration that decays freely has its largest value within them.
+    decaying: usize,
     group: RecurrenceGroup<f32, QUICK_LANES>,
 }
 
@@ -514,15 +516,20 @@ struct ThinnedGroup {
 /// (π/16)²/2 = 1.9 % at most, and by a third of it in the mean, which is added.
 const THINNED_TO_SAMPLES: f64 = 16.0;
 
+/// What thinning takes from the start of a motion in all, and more \[samples\].
+const SHORTER_BY: usize = 64;
+
+/// The coefficients of u/b₂ in lanes.
 #[derive(Debug, Clone, Copy)]
 struct RecurrenceGroup<F, const N: usize> {
     trace: [F; N],
-    determinant: [F; N],
+    minus_determinant: [F; N],
     a0: [F; N],
     a1: [F; N],
-    a2: [F; N],
     /// Of the first step, from rest.
     first_a0: [F; N],
+    /// |b₂|, which makes displacements.
+    scale: [F; N],
 }
 
 impl DisplacementBank {
@@ -568,16 +575,15 @@ impl DisplacementBank {
                 // What samples that are farther apart miss of peaks in the mean.
                 let phase = std::f64::consts::PI * dt_s / period_s;
                 let left = 1.0 - ((every as f64 * phase).powi(2) - phase.powi(2)) / 6.0;
-                for weight in [
-                    &mut group.a0,
-                    &mut group.a1,
-                    &mut group.a2,
-                    &mut group.first_a0,
-                ] {
-                    weight[i] /= left as f32;
-                }
+                group.scale[i] /= left as f32;
             }
-            Ok(ThinnedGroup { every, group })
+            let longest_s = periods_s.iter().copied().fold(0.0, f64::max);
+            let decaying = (0.5 * longest_s / dt_s).ceil() as usize + SHORTER_BY;
+            Ok(ThinnedGroup {
+                every,
+                decaying,
+                group,
+            })
         };
         Ok(Self {
             exact: Vec::new(),
@@ -592,29 +598,51 @@ impl DisplacementBank {
     /// max|u| of every oscillator, from rest at t = 0 \[m\].
     pub(crate) fn peaks_m(&self, accel_m_s2: &[f64]) -> Vec<f64> {
         let widest = pulp::Arch::new();
-        let mut peaks_m = Vec::with_capacity(self.count + QUICK_LANES);
-        for group in &self.exact {
-            peaks_m.extend(widest.dispatch(Shaken { group, accel_m_s2 }));
-        }
-        let mut thinned: Vec<f32> = accel_m_s2.iter().map(|a| *a as f32).collect();
+        let exact = self
+            .exact
+            .iter()
+            .flat_map(|group| widest.dispatch(Shaken { group, accel_m_s2 }));
+        let mut peaks_m: Vec<f64> = match self.quick.is_empty() {
+            true => exact.collect(),
+            false => self.quick_peaks_m(accel_m_s2),
+        };
+        peaks_m.truncate(self.count);
+        peaks_m
+    }
+
+    fn quick_peaks_m(&self, accel_m_s2: &[f64]) -> Vec<f64> {
+        // Before the shaking nothing moves.
+        let quiet = accel_m_s2.iter().take_while(|a| **a == 0.0).count();
+        let shaken = accel_m_s2
+            .iter()
+            .rposition(|a| *a != 0.0)
+            .map_or(0, |k| k + 1);
+        let from = quiet.saturating_sub(SHORTER_BY);
+        let mut thinned: Vec<f32> = accel_m_s2[from..].iter().map(|a| *a as f32).collect();
         let mut left = 1;
-        for ThinnedGroup { every, group } in &self.quick {
+        let peaks_m = self.quick.iter().flat_map(|group| {
+            let ThinnedGroup {
+                every,
+                decaying,
+                group,
+            } = group;
             while left < *every {
-                thinned = thinned
-                    .windows(5)
-                    .step_by(2)
-                    .map(|a| 0.75 * a[2] + 0.25 * (a[1] + a[3]) - 0.125 * (a[0] + a[4]))
+                let (pairs, _) = thinned.as_chunks::<2>();
+                thinned = pairs
+                    .windows(3)
+                    .map(|pairs| {
+                        let [[a0, a1], [a2, a3], [a4, _]] = [pairs[0], pairs[1], pairs[2]];
+                        0.75 * a2 + 0.25 * (a1 + a3) - 0.125 * (a0 + a4)
+                    })
                     .collect();
                 left *= 2;
             }
-            let shaken = Shaken {
-                group,
-                accel_m_s2: &thinned,
-            };
-            peaks_m.extend(widest.dispatch(shaken).map(f64::from));
-        }
-        peaks_m.truncate(self.count);
-        peaks_m
+            let samples = (shaken.saturating_sub(from) + decaying).div_ceil(*every);
+            let accel_m_s2 = &thinned[..samples.min(thinned.len())];
+            let shaken = Shaken { group, accel_m_s2 };
+            pulp::Arch::new().dispatch(shaken).map(f64::from)
+        });
+        peaks_m.collect()
     }
 }
 
@@ -626,11 +654,11 @@ impl<F: Default + Copy, const N: usize> RecurrenceGroup<F, N> {
         };
         Self {
             trace: lanes(|s| s.u_u + s.v_v),
-            determinant: lanes(|s| s.u_u * s.v_v - s.u_v * s.v_u),
-            a0: lanes(|s| s.u_v * s.v_a0 - s.v_v * s.u_a0),
-            a1: lanes(|s| s.u_a0 + (s.u_v * s.v_a1 - s.v_v * s.u_a1)),
-            a2: lanes(|s| s.u_a1),
-            first_a0: lanes(|s| s.u_a0),
+            minus_determinant: lanes(|s| s.u_v * s.v_u - s.u_u * s.v_v),
+            a0: lanes(|s| (s.u_v * s.v_a0 - s.v_v * s.u_a0) / s.u_a1),
+            a1: lanes(|s| (s.u_a0 + (s.u_v * s.v_a1 - s.v_v * s.u_a1)) / s.u_a1),
+            first_a0: lanes(|s| s.u_a0 / s.u_a1),
+            scale: lanes(|s| s.u_a1.abs()),
         }
     }
 }
@@ -641,23 +669,19 @@ struct Shaken<'a, F, const N: usize> {
     accel_m_s2: &'a [F],
 }
 
-impl<F, const N: usize> pulp::WithSimd for Shaken<'_, F, N>
-where
-    F: Copy + Default + PartialOrd + Add<Output = F> + Sub<Output = F> + Mul<Output = F>,
-    F: Neg<Output = F>,
-{
+impl<F: Float, const N: usize> pulp::WithSimd for Shaken<'_, F, N> {
     /// max|u| \[m\].
     type Output = [F; N];
 
-    /// Nothing is fused, so the results are equal bit for bit on every processor.
+    /// What is fused is fused everywhere, so the results are equal bit for bit on every vector unit.
     #[inline(always)]
     fn with_simd<S: pulp::Simd>(self, _: S) -> [F; N] {
         let Self { group, accel_m_s2 } = self;
-        let zero = [F::default(); N];
+        let zero = [F::zero(); N];
         let (mut before, mut u, mut lowest, mut highest) = (zero, zero, zero, zero);
         if let [first, second, ..] = *accel_m_s2 {
             for i in 0..N {
-                u[i] = group.first_a0[i] * first + group.a2[i] * second;
+                u[i] = group.first_a0[i].mul_add(first, second);
                 highest[i] = larger(u[i], zero[i]);
                 lowest[i] = smaller(u[i], zero[i]);
             }
@@ -665,15 +689,16 @@ where
         for three in accel_m_s2.windows(3) {
             let (a0, a1, a2) = (three[0], three[1], three[2]);
             for i in 0..N {
-                let next = (group.trace[i] * u[i] - group.determinant[i] * before[i])
-                    + (group.a2[i] * a2 + group.a1[i] * a1 + group.a0[i] * a0);
+                let pushed = group.a0[i].mul_add(a0, group.a1[i].mul_add(a1, a2));
+                let kept = group.minus_determinant[i].mul_add(before[i], pushed);
+                let next = group.trace[i].mul_add(u[i], kept);
                 before[i] = u[i];
                 u[i] = next;
                 highest[i] = larger(next, highest[i]);
                 lowest[i] = smaller(next, lowest[i]);
             }
         }
-        std::array::from_fn(|i| larger(highest[i], -lowest[i]))
+        std::array::from_fn(|i| group.scale[i] * larger(highest[i], -lowest[i]))
     }
 }
 

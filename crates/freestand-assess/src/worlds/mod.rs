@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use freestand::building::{Building, floor_motions};
+use freestand::building::{Building, floor_motions, peak_floor_accelerations_m_s2};
 use freestand::motion::Motion;
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{
@@ -143,6 +143,45 @@ pub struct GroundOfWorld {
     pub vertical: Option<Motion>,
     /// The motion that the worlds use in turn, where they do.
     pub record: Option<String>,
+}
+
+/// What shakes a building in a world: the components of the ground, each with the axis that it shakes and long enough
+/// for the vibration to decay.
+struct Shaken {
+    along: (Motion, Building),
+    across: Option<(Motion, Building)>,
+    tail_s: f64,
+}
+
+impl Shaken {
+    fn new(
+        ground: &GroundOfWorld,
+        building: &BuildingInput,
+        draw: BuildingDraw,
+    ) -> Result<Self, Problems> {
+        let along = drawn(&building.along, draw)?;
+        let across = building
+            .across
+            .as_ref()
+            .map(|across| drawn(across, draw))
+            .transpose()?;
+        let tail_s = across
+            .as_ref()
+            .map_or(0.0, Building::tail_s)
+            .max(along.tail_s());
+        let padded = |motion: &Motion| {
+            motion
+                .with_zero_tail(tail_s)
+                .map_err(failed("a floor motion"))
+        };
+        let second = ground.motion.across.as_ref().map(padded).transpose()?;
+        let across = second.map(|motion| (motion, across.unwrap_or_else(|| along.clone())));
+        Ok(Self {
+            along: (padded(&ground.motion.along)?, along),
+            across,
+            tail_s,
+        })
+    }
 }
 
 /// What a building is in a world, at the first axis.
@@ -329,18 +368,53 @@ impl<'a> Worlds<'a> {
             .filter(|(_, known)| known.is_none())
             .map(|(level_ratio, _)| *level_ratio)
             .collect();
-        let made = match unknown.is_empty() {
-            true => Vec::new(),
-            false => {
-                self.at_intensity(1.0)
-                    .floors_of_world(world, &unknown, Again::default(), None)?
-            }
-        };
-        let mut made = made.iter().map(|floor| HorizontalPeaks::of(&floor.motion));
+        let mut made = self.peaks_of_world(world, &unknown)?.into_iter();
         Ok(known
             .iter()
             .filter_map(|known| known.or_else(|| made.next()))
             .collect())
+    }
+
+    /// Without the histories of the floors of a building, which take longer than their peaks.
+    fn peaks_of_world(
+        &self,
+        world: u32,
+        levels_ratio: &[f64],
+    ) -> Result<Vec<HorizontalPeaks>, Problems> {
+        if levels_ratio.is_empty() {
+            return Ok(Vec::new());
+        }
+        let ground = self.ground(world, 0)?;
+        let (Some(modes), Some(ground)) = (&self.study.building, ground) else {
+            let floors = self.at_intensity(1.0).floors_of_world(
+                world,
+                levels_ratio,
+                Again::default(),
+                None,
+            )?;
+            let peaks = floors
+                .iter()
+                .map(|floor| HorizontalPeaks::of(&floor.motion));
+            return Ok(peaks.collect());
+        };
+        let shaken = Shaken::new(&ground, modes, self.building_draw(world, Again::default()))?;
+        let peaks = |(motion, axis): &(Motion, Building)| {
+            peak_floor_accelerations_m_s2(motion, axis, levels_ratio)
+                .map_err(failed("a floor motion"))
+        };
+        let mut across = shaken
+            .across
+            .as_ref()
+            .map(peaks)
+            .transpose()?
+            .map(Vec::into_iter);
+        let both = peaks(&shaken.along)?
+            .into_iter()
+            .map(|along_m_s2| HorizontalPeaks {
+                along_m_s2,
+                across_m_s2: across.as_mut().and_then(Iterator::next),
+            });
+        Ok(both.collect())
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
@@ -690,28 +764,17 @@ impl<'a> Worlds<'a> {
         };
         let ground = self.ground(world, again.motion)?.ok_or_else(nothing)?;
         let draw = building.unwrap_or_else(|| self.building_draw(world, again));
-        let along = drawn(&modes.along, draw)?;
-        let across = modes
+        let shaken = Shaken::new(&ground, modes, draw)?;
+        let floors = |(motion, axis): &(Motion, Building)| {
+            floor_motions(motion, axis, levels_ratio).map_err(failed("a floor motion"))
+        };
+        let mut second = shaken
             .across
             .as_ref()
-            .map(|across| drawn(across, draw))
-            .transpose()?;
-        let tail_s = across
-            .as_ref()
-            .map_or(0.0, Building::tail_s)
-            .max(along.tail_s());
-        let floors = |motion: &Motion, axis: &Building| -> Result<Vec<Motion>, Problems> {
-            let motion = motion
-                .with_zero_tail(tail_s)
-                .map_err(failed("a floor motion"))?;
-            floor_motions(&motion, axis, levels_ratio).map_err(failed("a floor motion"))
-        };
-        let second = ground.motion.across.as_ref();
-        let second = second
-            .map(|motion| floors(motion, across.as_ref().unwrap_or(&along)))
-            .transpose()?;
-        let mut second = second.map(Vec::into_iter);
-        let first = floors(&ground.motion.along, &along)?.into_iter();
+            .map(floors)
+            .transpose()?
+            .map(Vec::into_iter);
+        let first = floors(&shaken.along)?.into_iter();
         let both = first.map(|along| HorizontalMotion {
             along,
             across: second.as_mut().and_then(Iterator::next),
@@ -725,7 +788,7 @@ impl<'a> Worlds<'a> {
             } else {
                 self.study.vertical_amplification_ratio
             };
-            let padded = vertical.with_zero_tail(tail_s);
+            let padded = vertical.with_zero_tail(shaken.tail_s);
             let scaled =
                 padded.and_then(|motion| motion.scaled(amplification * self.intensity_ratio));
             scaled
@@ -781,3 +844,6 @@ fn failed<E: std::fmt::Display>(what: &'static str) -> impl Fn(E) -> Problems {
         .into()
     }
 }
+
+#[cfg(test)]
+mod tests;

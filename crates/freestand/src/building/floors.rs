@@ -5,6 +5,7 @@ use std::ops::Range;
 use super::{Building, BuildingError};
 use crate::motion::Motion;
 use crate::oscillator::{LANES, LaneGroup, LaneStates, Lanes, step_of_period};
+use crate::vector::Column;
 
 /// Motion of one floor; see [`floor_motions`].
 ///
@@ -25,7 +26,6 @@ pub fn floor_motion(
     building: &Building,
     level_ratio: f64,
 ) -> Result<Motion, BuildingError> {
-    check_level(level_ratio)?;
     let accel_m_s2 = floor_accelerations(ground, building, &[level_ratio])?.swap_remove(0);
     Ok(Motion::new(ground.dt_s(), accel_m_s2)?)
 }
@@ -58,22 +58,10 @@ pub fn floor_motions(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<Motion>, BuildingError> {
-    levels_ratio
-        .iter()
-        .try_for_each(|&level_ratio| check_level(level_ratio))?;
-    let floors = floor_accelerations(ground, building, levels_ratio)?;
-    floors
+    floor_accelerations(ground, building, levels_ratio)?
         .into_iter()
         .map(|accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?))
         .collect()
-}
-
-fn check_level(level_ratio: f64) -> Result<(), BuildingError> {
-    if (0.0..=1.0).contains(&level_ratio) {
-        Ok(())
-    } else {
-        Err(BuildingError::Level { level_ratio })
-    }
 }
 
 fn floor_accelerations(
@@ -81,102 +69,16 @@ fn floor_accelerations(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<Vec<f64>>, BuildingError> {
-    let levels: Vec<Shares> = levels_ratio
-        .iter()
-        .map(|&level| Shares::new(building, level))
-        .collect();
-    let widest = pulp::Arch::new();
-    let accel = ground.accel_m_s2();
-    let mut floors: Vec<Vec<f64>> = levels
-        .iter()
-        .map(|_| Vec::with_capacity(accel.len()))
-        .collect();
-    follow::<false>(ground, building, |block, histories| {
-        let ground = accel.get(block.clone()).unwrap_or_default();
+    let levels = shares(building, levels_ratio)?;
+    let samples = ground.accel_m_s2().len();
+    let mut floors: Vec<Vec<f64>> = levels.iter().map(|_| Vec::with_capacity(samples)).collect();
+    let mut sums = Sums::default();
+    follow::<false>(ground, building, |block| {
         for (floor, level) in floors.iter_mut().zip(&levels) {
-            floor.resize(block.end, 0.0);
-            widest.dispatch(Sum {
-                samples: floor.get_mut(block.clone()).unwrap_or_default(),
-                ground,
-                level,
-                histories,
-            });
+            floor.extend_from_slice(sums.of(block, level.residual, level, &block.absolute_m_s2));
         }
     })?;
     Ok(floors)
-}
-
-/// Samples whose sums are kept in the registers of a vector unit.
-const SUMMED: usize = 32;
-
-/// The samples of a block, to be compiled for each vector unit: the share of the ground, and the modes, each in turn.
-/// Nothing is fused, so the vector unit changes no bit.
-struct Sum<'a> {
-    samples: &'a mut [f64],
-    ground: &'a [f64],
-    level: &'a Shares,
-    histories: &'a [History],
-}
-
-impl pulp::WithSimd for Sum<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        let Self {
-            samples,
-            ground,
-            level,
-            histories,
-        } = self;
-        let (wholes, rest) = samples.as_chunks_mut::<SUMMED>();
-        let (ground, ground_of_rest) = ground.as_chunks::<SUMMED>();
-        let begun = SUMMED * wholes.len();
-        for (place, (sums, ground)) in wholes.iter_mut().zip(ground).enumerate() {
-            let mut now = [0.0; SUMMED];
-            for i in 0..SUMMED {
-                now[i] = level.residual * ground[i];
-            }
-            for (share, history) in level.modes.iter().zip(histories) {
-                let (values, _) = history.absolute_m_s2.as_chunks::<SUMMED>();
-                if let Some(values) = values.get(place) {
-                    for i in 0..SUMMED {
-                        now[i] += share * values[i];
-                    }
-                }
-            }
-            *sums = now;
-        }
-        for (place, (sum, ground)) in rest.iter_mut().zip(ground_of_rest).enumerate() {
-            *sum = level.residual * ground;
-            for (share, history) in level.modes.iter().zip(histories) {
-                *sum += share * history.absolute_m_s2[begun + place];
-            }
-        }
-    }
-}
-
-/// Oscillators that go on through a block, to be compiled for each vector unit.
-struct Advance<'a> {
-    group: &'a LaneGroup,
-    states: &'a mut LaneStates,
-    accel_m_s2: &'a [f64],
-    absolute_m_s2: &'a mut [Lanes],
-    displacement_m: &'a mut [Lanes],
-}
-
-impl pulp::WithSimd for Advance<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: pulp::Simd>(self, _: S) {
-        self.group.advance(
-            self.states,
-            self.accel_m_s2,
-            self.absolute_m_s2,
-            self.displacement_m,
-        );
-    }
 }
 
 /// Peak responses of one level, at the samples.
@@ -221,13 +123,7 @@ pub fn floor_peaks(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<FloorPeaks>, BuildingError> {
-    levels_ratio
-        .iter()
-        .try_for_each(|&level_ratio| check_level(level_ratio))?;
-    let levels: Vec<Shares> = levels_ratio
-        .iter()
-        .map(|&level| Shares::new(building, level))
-        .collect();
+    let levels = shares(building, levels_ratio)?;
     let mut peaks: Vec<FloorPeaks> = levels_ratio
         .iter()
         .map(|&level_ratio| FloorPeaks {
@@ -237,33 +133,65 @@ pub fn floor_peaks(
             drift_m: 0.0,
         })
         .collect();
-    let accel = ground.accel_m_s2();
-    let mut floor = Floor::default();
-    follow::<true>(ground, building, |block, histories| {
-        floor.displacement.clear();
+    let (mut sums, mut below) = (Sums::default(), Sums::default());
+    follow::<true>(ground, building, |block| {
+        below = Sums::default();
         for (peak, level) in peaks.iter_mut().zip(&levels) {
-            floor.move_to(
-                level,
-                accel.get(block.clone()).unwrap_or_default(),
-                histories,
-            );
-            raise(&mut peak.accel_m_s2, floor.absolute.iter().copied());
-            raise(&mut peak.displacement_m, floor.displacement.iter().copied());
-            let below = floor.below.iter().copied().chain(std::iter::repeat(0.0));
             raise(
-                &mut peak.drift_m,
-                floor
-                    .displacement
-                    .iter()
-                    .zip(below)
-                    .map(|(here, below)| here - below),
+                &mut peak.accel_m_s2,
+                sums.of(block, level.residual, level, &block.absolute_m_s2),
             );
+            let here = sums.of(block, 0.0, level, &block.displacement_m);
+            raise(&mut peak.displacement_m, here);
+            for (below, here) in below.0.iter_mut().zip(here) {
+                *below = here - *below;
+            }
+            raise(&mut peak.drift_m, &below.0[..here.len()]);
+            std::mem::swap(&mut sums, &mut below);
         }
     })?;
     let all = |peak: &FloorPeaks| [peak.accel_m_s2, peak.displacement_m, peak.drift_m];
-    match peaks.iter().flat_map(all).find(|peak| !peak.is_finite()) {
+    check_finite(peaks.iter().flat_map(all))?;
+    Ok(peaks)
+}
+
+/// Peak acceleration of each level: that of [`floor_motions`], to the bit, without storing their histories \[m/s²\].
+///
+/// # Errors
+/// A level outside 0 to 1, or peaks that overflow.
+///
+/// # Example
+/// ```
+/// use freestand::{building::{Building, peak_floor_accelerations_m_s2}, motion::Motion};
+/// let ground = Motion::new(0.02, vec![0.3, -1.0, 0.7])?;
+/// let building = Building::beam(1.92, 0.05, 5.0, 10)?;
+/// assert_eq!(peak_floor_accelerations_m_s2(&ground, &building, &[0.0])?, [1.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn peak_floor_accelerations_m_s2(
+    ground: &Motion,
+    building: &Building,
+    levels_ratio: &[f64],
+) -> Result<Vec<f64>, BuildingError> {
+    let levels = shares(building, levels_ratio)?;
+    let mut peaks = vec![0.0; levels.len()];
+    let mut sums = Sums::default();
+    follow::<false>(ground, building, |block| {
+        for (peak, level) in peaks.iter_mut().zip(&levels) {
+            raise(
+                peak,
+                sums.of(block, level.residual, level, &block.absolute_m_s2),
+            );
+        }
+    })?;
+    check_finite(peaks.iter().copied())?;
+    Ok(peaks)
+}
+
+fn check_finite(peaks: impl IntoIterator<Item = f64>) -> Result<(), BuildingError> {
+    match peaks.into_iter().find(|peak| !peak.is_finite()) {
         Some(value) => Err(crate::motion::MotionError::NotFinite { index: 0, value }.into()),
-        None => Ok(peaks),
+        None => Ok(()),
     }
 }
 
@@ -274,81 +202,140 @@ struct Shares {
     modes: Vec<f64>,
 }
 
+/// Those of each level.
+fn shares(building: &Building, levels_ratio: &[f64]) -> Result<Vec<Shares>, BuildingError> {
+    levels_ratio
+        .iter()
+        .map(|&level_ratio| Shares::new(building, level_ratio))
+        .collect()
+}
+
 impl Shares {
-    fn new(building: &Building, level_ratio: f64) -> Self {
+    fn new(building: &Building, level_ratio: f64) -> Result<Self, BuildingError> {
+        if !(0.0..=1.0).contains(&level_ratio) {
+            return Err(BuildingError::Level { level_ratio });
+        }
         let modes: Vec<f64> = building
             .modes
             .iter()
             .map(|mode| mode.share_ratio(level_ratio))
             .collect();
         let residual = 1.0 - modes.iter().sum::<f64>();
-        Self {
+        Ok(Self {
             residual,
             modes: if level_ratio > 0.0 { modes } else { Vec::new() },
-        }
+        })
     }
 }
 
-/// One level during one block of time.
-#[derive(Default)]
-struct Floor {
-    absolute: Vec<f64>,
-    displacement: Vec<f64>,
-    below: Vec<f64>,
-}
+/// Samples whose sums are kept in the registers of a vector unit.
+const SUMMED: usize = 32;
 
-impl Floor {
-    fn move_to(&mut self, level: &Shares, ground: &[f64], histories: &[History]) {
-        let samples = histories
-            .first()
-            .map_or(0, |history| history.absolute_m_s2.len());
-        std::mem::swap(&mut self.below, &mut self.displacement);
-        self.absolute.clear();
-        self.absolute
-            .extend(ground.iter().take(samples).map(|a| level.residual * a));
-        self.displacement.clear();
-        self.displacement.resize(samples, 0.0);
-        for (share, history) in level.modes.iter().zip(histories) {
-            add(&mut self.absolute, *share, &history.absolute_m_s2);
-            add(&mut self.displacement, *share, &history.displacement_m);
-        }
-    }
-}
+/// So many samples in whole lines of the cache: loads that cross a line take twice as long.
+type Run = Column<SUMMED>;
 
-/// Keeps NaN, so that an overflow is noticed.
-fn raise(peak: &mut f64, values: impl Iterator<Item = f64>) {
-    for value in values {
-        let size = value.abs();
-        if size > *peak || size.is_nan() {
-            *peak = size;
-        }
-    }
-}
-
-fn add(samples: &mut [f64], share: f64, history: &[f64]) {
-    for (sample, value) in samples.iter_mut().zip(history) {
-        *sample += share * value;
-    }
-}
-
-/// The oscillator of one mode during one block of time.
-#[derive(Default)]
-struct History {
-    absolute_m_s2: Vec<f64>,
-    /// Empty where nobody reads it.
-    displacement_m: Vec<f64>,
-}
-
-/// Samples per block: ten modes with two histories each stay in the fastest cache while they are
+/// The samples of a block are a multiple of those of a run. Those of ten modes stay in the fastest cache while they are
 /// summed for every floor.
-const BLOCK: usize = 256;
+const BLOCK: usize = RUNS * SUMMED;
+const RUNS: usize = 8;
 
-/// Calculates the oscillators of all modes once, side by side and block by block; `each` receives the samples of the
-/// block. With `DISPLACED`, their displacements are kept too.
+/// The ground and all modes during one block of time; beyond its last sample a run has any values.
+struct Block {
+    samples: usize,
+    ground_m_s2: Column<BLOCK>,
+    /// The runs of all modes, then the next ones.
+    absolute_m_s2: Vec<Run>,
+    /// Empty where nobody reads it.
+    displacement_m: Vec<Run>,
+}
+
+/// The sums of modes during one block of time.
+#[derive(Default)]
+struct Sums(Column<BLOCK>);
+
+impl Sums {
+    /// The share `residual` of the ground, and those that a level has of `modes`.
+    fn of(&mut self, block: &Block, residual: f64, level: &Shares, modes: &[Run]) -> &[f64] {
+        pulp::Arch::new().dispatch(Sum {
+            sums: &mut self.0,
+            ground_m_s2: &block.ground_m_s2,
+            residual,
+            shares: &level.modes,
+            modes,
+        });
+        &self.0[..block.samples]
+    }
+}
+
+/// Sums to be compiled for each vector unit: the share of the ground, and the modes, each in turn. Nothing is fused, so
+/// the vector unit changes no bit.
+struct Sum<'a> {
+    sums: &'a mut Column<BLOCK>,
+    ground_m_s2: &'a Column<BLOCK>,
+    residual: f64,
+    shares: &'a [f64],
+    modes: &'a [Run],
+}
+
+impl pulp::WithSimd for Sum<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        let each = self.modes.len() / RUNS;
+        let (sums, _) = self.sums.as_chunks_mut::<SUMMED>();
+        let (ground, _) = self.ground_m_s2.as_chunks::<SUMMED>();
+        for (place, (sums, ground)) in sums.iter_mut().zip(ground).enumerate() {
+            let mut now = [0.0; SUMMED];
+            for i in 0..SUMMED {
+                now[i] = self.residual * ground[i];
+            }
+            let modes = &self.modes[place * each..][..each];
+            for (share, mode) in self.shares.iter().zip(modes) {
+                for i in 0..SUMMED {
+                    now[i] += share * mode[i];
+                }
+            }
+            *sums = now;
+        }
+    }
+}
+
+/// Raises a peak to the largest absolute value. Keeps NaN, so that an overflow is noticed.
+fn raise(peak: &mut f64, values: &[f64]) {
+    let most = pulp::Arch::new().dispatch(Raise { values });
+    *peak = f64::from_bits(most.max(peak.to_bits()));
+}
+
+/// The bits of the largest absolute value, to be compiled for each vector unit. Those of positive numbers rise with them,
+/// and NaN is above infinity.
+struct Raise<'a> {
+    values: &'a [f64],
+}
+
+impl pulp::WithSimd for Raise<'_> {
+    type Output = u64;
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) -> u64 {
+        let (abreast, rest) = self.values.as_chunks::<SUMMED>();
+        let mut most = [0; SUMMED];
+        for values in abreast {
+            for i in 0..SUMMED {
+                most[i] = most[i].max(values[i].abs().to_bits());
+            }
+        }
+        let rest = rest.iter().map(|value| value.abs().to_bits());
+        rest.chain(most).max().unwrap_or(0)
+    }
+}
+
+/// Calculates the oscillators of all modes once, side by side and block by block, for `each` block. With `DISPLACED`,
+/// their displacements are kept too.
 fn follow<const DISPLACED: bool>(
     ground: &Motion,
     building: &Building,
-    mut each: impl FnMut(Range<usize>, &[History]),
+    mut each: impl FnMut(&Block),
 ) -> Result<(), BuildingError> {
     let steps = building.modes.iter().map(|mode| {
         // The building and the motion are valid, so the only error left is a period too short
@@ -363,53 +350,75 @@ fn follow<const DISPLACED: bool>(
         .chunks(LANES)
         .map(|steps| (LaneGroup::new(steps), LaneStates::default()))
         .collect();
-    let mut histories: Vec<History> = steps.iter().map(|_| History::default()).collect();
+    let runs = |is_kept: bool| vec![Run::default(); if is_kept { RUNS * steps.len() } else { 0 }];
+    let mut block = Block {
+        samples: 0,
+        ground_m_s2: Column::default(),
+        absolute_m_s2: runs(true),
+        displacement_m: runs(DISPLACED),
+    };
     let widest = pulp::Arch::new();
     let accel = ground.accel_m_s2();
     let mut absolute_m_s2 = vec![[0.0; LANES]; BLOCK];
     let mut displacement_m = vec![[0.0; LANES]; if DISPLACED { BLOCK } else { 0 }];
     for from in (0..accel.len()).step_by(BLOCK) {
         let to = accel.len().min(from + BLOCK);
-        // The very first sample is at rest.
+        block.samples = to - from;
+        block.ground_m_s2[..to - from].copy_from_slice(&accel[from..to]);
+        // The very first sample is at rest: its place keeps the zeros that it begins with.
         let rests = usize::from(from == 0);
-        let samples = &accel[from.saturating_sub(1)..to];
-        let groups = groups.iter_mut().zip(histories.chunks_mut(LANES));
-        for ((group, states), histories) in groups {
+        for (place, (group, states)) in groups.iter_mut().enumerate() {
             widest.dispatch(Advance {
                 group,
                 states,
-                accel_m_s2: samples,
-                absolute_m_s2: &mut absolute_m_s2,
-                displacement_m: &mut displacement_m,
+                accel_m_s2: &accel[from.saturating_sub(1)..to],
+                absolute_m_s2: &mut absolute_m_s2[rests..],
+                displacement_m: displacement_m.get_mut(rests..).unwrap_or_default(),
             });
-            let advanced = samples.len() - 1;
-            for (lane, history) in histories.iter_mut().enumerate() {
-                of_lane(
-                    &mut history.absolute_m_s2,
-                    rests,
-                    &absolute_m_s2[..advanced],
-                    lane,
-                );
-                if DISPLACED {
-                    of_lane(
-                        &mut history.displacement_m,
-                        rests,
-                        &displacement_m[..advanced],
-                        lane,
-                    );
-                }
-            }
+            let lanes = place * LANES..steps.len().min((place + 1) * LANES);
+            turn(&absolute_m_s2, &mut block.absolute_m_s2, lanes.clone());
+            turn(&displacement_m, &mut block.displacement_m, lanes);
         }
-        each(from..to, &histories);
+        each(&block);
     }
     Ok(())
 }
 
-/// The history of one lane, after so many samples at rest.
-fn of_lane(history: &mut Vec<f64>, rests: usize, lanes: &[Lanes], lane: usize) {
-    history.clear();
-    history.resize(rests, 0.0);
-    history.extend(lanes.iter().map(|lanes| lanes[lane]));
+/// Oscillators that go on through a block, to be compiled for each vector unit.
+struct Advance<'a> {
+    group: &'a LaneGroup,
+    states: &'a mut LaneStates,
+    accel_m_s2: &'a [f64],
+    absolute_m_s2: &'a mut [Lanes],
+    displacement_m: &'a mut [Lanes],
+}
+
+impl pulp::WithSimd for Advance<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: pulp::Simd>(self, _: S) {
+        self.group.advance(
+            self.states,
+            self.accel_m_s2,
+            self.absolute_m_s2,
+            self.displacement_m,
+        );
+    }
+}
+
+/// From the lanes of each sample to the runs of each mode, of which these are the modes of the lanes.
+fn turn(samples: &[Lanes], runs: &mut [Run], modes: Range<usize>) {
+    let each = runs.len() / RUNS;
+    let (samples, _) = samples.as_chunks::<SUMMED>();
+    for (place, samples) in samples.iter().enumerate() {
+        let runs = &mut runs[place * each..][modes.clone()];
+        for (lane, run) in runs.iter_mut().enumerate() {
+            for (value, lanes) in run.iter_mut().zip(samples) {
+                *value = lanes[lane];
+            }
+        }
+    }
 }
 
 #[cfg(test)]
@@ -465,7 +474,7 @@ mod tests {
             let Shares {
                 residual,
                 modes: shares,
-            } = Shares::new(&building, level_ratio);
+            } = Shares::new(&building, level_ratio).unwrap();
             let floor = floor_motion(&ground, &building, level_ratio).unwrap();
             for (i, (found, a)) in floor
                 .accel_m_s2()

@@ -13,7 +13,9 @@ mod table;
 
 pub use beam::BeamShape;
 pub use damping::{Damping, Rayleigh};
-pub use floors::{FloorPeaks, floor_motion, floor_motions, floor_peaks};
+pub use floors::{
+    FloorPeaks, floor_motion, floor_motions, floor_peaks, peak_floor_accelerations_m_s2,
+};
 pub use storeys::{MAX_STOREYS, Storey};
 pub use table::{ModalDoubt, TableMode};
 

@@ -1,7 +1,7 @@
 //! Passes in the frequency domain that match a motion to a target spectrum.
 
 use super::frame::Frame;
-use super::transform::Transform;
+use super::transform::Filter;
 use super::wavelet::Kernel;
 use super::{
     DAMPING_RATIO, LONGEST_PERIOD_S, MATCHED_PERIODS, MAX_SAMPLES, MatchedMotion, Misfit,
@@ -48,9 +48,11 @@ pub(super) struct Layout {
     bank: DisplacementBank,
     /// Steps of the oscillators for each step of the motion.
     substeps: usize,
-    transform: Transform,
-    /// The frequencies of the transform, from its first bin to the middle one.
+    filter: Filter,
+    /// The frequencies of the filter, from zero to half the sampling rate.
     bins: Vec<Bin>,
+    /// The first bin above the matched frequencies.
+    above: usize,
 }
 
 impl Layout {
@@ -95,7 +97,7 @@ impl Best {
     }
 }
 
-/// A frequency of the transform.
+/// A frequency of the filter.
 #[derive(Clone, Copy)]
 struct Bin {
     frequency_hz: f64,
@@ -110,8 +112,8 @@ impl Layout {
         let steps = Parameter::Other("the number of samples at steps of 0.005 s");
         steps.check(points <= MAX_POINTS, "at most 16777216", points)?;
         let periods_s = matched_periods_s();
-        let transform = Transform::new(frame.taper.len());
-        let step_hz = transform.step_hz(dt_s);
+        let filter = Filter::new(frame.taper.len());
+        let step_hz = filter.step_hz(dt_s);
         let bin = |k: usize| {
             let frequency_hz = k as f64 * step_hz;
             Bin {
@@ -119,13 +121,16 @@ impl Layout {
                 place: Place::of(frequency_hz),
             }
         };
+        let bins: Vec<Bin> = (0..=filter.bins()).map(bin).collect();
+        let above = bins.partition_point(|bin| bin.frequency_hz < 1.0 / SHORTEST_PERIOD_S);
         Ok(Self {
             dt_s,
             bank: DisplacementBank::new(&periods_s, DAMPING_RATIO, dt_s / substeps)?,
             substeps: substeps as usize,
-            bins: (0..=transform.length() / 2).map(bin).collect(),
+            bins,
+            above,
             periods_s,
-            transform,
+            filter,
             frame,
         })
     }
@@ -137,7 +142,7 @@ pub(super) struct Matcher<'a> {
     gain: Gain,
     pub(super) target_m_s2: Vec<f64>,
     target_zpa_g: f64,
-    transform: Transform,
+    filter: Filter,
     fine: Vec<f64>,
 }
 
@@ -170,7 +175,7 @@ impl<'a> Matcher<'a> {
             gain,
             target_m_s2,
             target_zpa_g: target(0.0)?,
-            transform: layout.transform.clone(),
+            filter: layout.filter.clone(),
             fine: Vec::new(),
         })
     }
@@ -179,19 +184,18 @@ impl<'a> Matcher<'a> {
     /// off outside its periods.
     pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
         let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
-        self.filter(
-            accel,
-            |Bin {
-                 frequency_hz,
-                 place,
-             }| {
-                let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
-                let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
-                place.interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
-                    * low
-                    * high
-            },
-        );
+        let layout = self.layout;
+        self.amplify(accel, |k| {
+            let Bin {
+                frequency_hz,
+                place,
+            } = layout.bins[k];
+            let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
+            let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
+            place.interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
+                * low
+                * high
+        });
     }
 
     /// Passes with momentum, then the factor that takes the mean of ln PSA/target over the periods of
@@ -203,6 +207,7 @@ impl<'a> Matcher<'a> {
         passes: &[Pass],
         over_s: &RangeInclusive<f64>,
     ) -> Result<Motion, SynthesisError> {
+        let layout = self.layout;
         let mut ln_gains = vec![0.0; MATCHED_PERIODS];
         let mut next = passes.iter();
         let (best, _) = self.best_of(accel, passes.len(), |matcher, accel, ln_ratios| {
@@ -211,13 +216,16 @@ impl<'a> Matcher<'a> {
                 *ln_gain = momentum * *ln_gain - step * ln_ratio;
             }
             let gains: Vec<f64> = ln_gains.iter().map(|ln| ln.exp()).collect();
-            matcher.filter(accel, |bin| {
-                let gain = bin.place.interpolate(&gains);
-                if bin.frequency_hz < LOW_CUT_HZ {
-                    gain * (bin.frequency_hz / LOW_CUT_HZ).powi(PLAIN_PASSES)
-                } else {
-                    gain
+            matcher.amplify(accel, |k| {
+                // The bins above have one gain, and are most of them.
+                if k >= layout.above {
+                    return gains[0];
                 }
+                let Bin {
+                    frequency_hz,
+                    place,
+                } = layout.bins[k];
+                place.interpolate(&gains) * (frequency_hz / LOW_CUT_HZ).min(1.0).powi(PLAIN_PASSES)
             });
         });
         let of_mean: Vec<f64> = best
@@ -237,10 +245,7 @@ impl<'a> Matcher<'a> {
         mut accel: Vec<f64>,
         passes: usize,
     ) -> Result<MatchedMotion, SynthesisError> {
-        for (a, taper) in accel.iter_mut().zip(&self.layout.frame.taper) {
-            *a *= taper;
-        }
-        self.layout.frame.remove_drift(&mut accel);
+        self.layout.frame.settle(&mut accel);
         // One factor first, so that pass 0 is the start at its best scale.
         let mean = self.ln_ratios(&accel).iter().sum::<f64>() / MATCHED_PERIODS as f64;
         if !mean.is_finite() {
@@ -283,11 +288,18 @@ impl<'a> Matcher<'a> {
             Gain::AtPeriod => None,
             Gain::Wavelets(kernel) => Some(kernel.gains(ln_ratios)),
         };
-        self.filter(accel, |bin| match &gains {
-            None => {
-                (-bin.place.interpolate(ln_ratios)).exp() * (bin.frequency_hz / LOW_CUT_HZ).min(1.0)
+        let layout = self.layout;
+        self.amplify(accel, |k| {
+            let Bin {
+                frequency_hz,
+                place,
+            } = layout.bins[k];
+            match &gains {
+                None => {
+                    (-place.interpolate(ln_ratios)).exp() * (frequency_hz / LOW_CUT_HZ).min(1.0)
+                }
+                Some(gains) => gains.at(frequency_hz),
             }
-            Some(gains) => gains.at(bin.frequency_hz),
         });
     }
 
@@ -345,17 +357,11 @@ impl<'a> Matcher<'a> {
             .collect()
     }
 
-    /// Multiplies the Fourier amplitudes by the gain of their bin, drops the mean, tapers the ends
+    /// Multiplies the Fourier amplitudes of bins by their gains, drops the mean, tapers the ends
     /// and removes the drift.
-    fn filter(&mut self, accel: &mut [f64], gain: impl Fn(Bin) -> f64) {
-        let Layout { frame, bins, .. } = self.layout;
-        self.transform.forward(accel);
-        self.transform.multiply(|k| gain(bins[k]));
-        self.transform.inverse(accel);
-        for (a, taper) in accel.iter_mut().zip(&frame.taper) {
-            *a *= taper;
-        }
-        frame.remove_drift(accel);
+    fn amplify(&mut self, accel: &mut [f64], gain: impl Fn(usize) -> f64) {
+        self.filter.apply(accel, gain);
+        self.layout.frame.settle(accel);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::frame::Frame;
 use super::noise::noise;
 use super::point_source::PointSource;
-use super::transform::Transform;
+use super::transform::Filter;
 use super::{Parameter, SynthesisError, check_samples, check_step, first};
 use crate::motion::Motion;
 
@@ -87,11 +87,9 @@ impl Simulator {
             .map(|k| source.window.at(k as f64 * dt_s / source.duration_s()))
             .collect();
         let samples = shaking + 2 * pad;
-        let transform = Transform::new(samples);
-        let step_hz = transform.step_hz(dt_s);
-        let frequencies_hz: Vec<f64> = (1..=transform.length() / 2)
-            .map(|k| k as f64 * step_hz)
-            .collect();
+        let filter = Filter::new(samples);
+        let step_hz = filter.step_hz(dt_s);
+        let frequencies_hz: Vec<f64> = (1..=filter.bins()).map(|k| k as f64 * step_hz).collect();
         let amplifications = amplifications(source, &frequencies_hz);
         let mut amplitudes_m_s = vec![0.0];
         for (&frequency_hz, amplification) in frequencies_hz.iter().zip(amplifications) {
@@ -153,21 +151,18 @@ impl Simulator {
     }
 
     fn motion_of(&self, mut noise: impl FnMut() -> f64) -> Result<Motion, SynthesisError> {
-        let mut transform = Transform::new(self.samples);
         let mut accel = vec![0.0; self.samples];
         for (a, window) in accel[self.pad..].iter_mut().zip(&self.window) {
             *a = window * noise();
         }
-        transform.forward(&accel);
-        let rms = (transform.energy() / transform.length() as f64).sqrt();
-        transform.multiply(|k| self.amplitudes_m_s[k] / rms / self.options.dt_s);
-        transform.inverse(&mut accel);
+        // Of the amplitudes, by Parseval's theorem.
+        let rms = accel.iter().map(|a| a * a).sum::<f64>().sqrt();
+        Filter::new(self.samples).apply(&mut accel, |k| {
+            self.amplitudes_m_s[k] / rms / self.options.dt_s
+        });
         let taper = ((self.pad as f64 * PAD_TAPER_RATIO) as usize).max(1);
         let frame = Frame::new(self.samples, 0, self.samples - 1, taper, taper);
-        for (a, taper) in accel.iter_mut().zip(&frame.taper) {
-            *a *= taper;
-        }
-        frame.remove_drift(&mut accel);
+        frame.settle(&mut accel);
         Ok(Motion::new(self.options.dt_s, accel)?)
     }
 }

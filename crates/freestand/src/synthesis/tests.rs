@@ -25,10 +25,11 @@ fn the_misfit_is_that_of_the_motion_that_is_returned() {
         .map(|(&t, psa)| psa / (melbourne_de(t) * G0_M_S2) - 1.0)
         .collect();
     let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-    // The same numbers, multiplied in another order, and once through ln and exp.
-    assert!((misfit.rms_ratio - rms).abs() < 1e-14);
+    // The same peaks to the digits below, multiplied in another order, and once through ln and exp.
+    assert!((misfit.rms_ratio - rms).abs() < 2.5e-12);
     let worst = errors.iter().map(|e| e.abs()).fold(0.0, f64::max);
-    assert!((misfit.worst_ratio.abs() - worst).abs() < 1e-14);
+    // The recurrence of the passes loses 1e-16 (T/2π dt)² of a peak in a step: 2.5e-12 at 5 s.
+    assert!((misfit.worst_ratio.abs() - worst).abs() < 2.5e-12);
     let at = matched_periods_s()
         .iter()
         .position(|&t| t == misfit.worst_period_s)

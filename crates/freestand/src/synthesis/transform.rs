@@ -1,31 +1,31 @@
-//! The Fourier transform of a motion and its inverse, prepared once and used many times.
+//! Filters by the gains of Fourier amplitudes, prepared once and used many times.
 
 use rustfft::num_complex::Complex;
 use rustfft::{Fft, FftPlannerScalar};
-use std::f64::consts::TAU;
+use std::f64::consts::PI;
 use std::sync::Arc;
 
-const I: Complex<f64> = Complex::new(0.0, 1.0);
-
-/// Transforms of one length with their work space.
+/// Filters of motions of one length with their work space.
 ///
-/// A real motion of N samples is a complex one of N/2, its even samples plus i times its odd ones,
-/// whose transform is half the work: with E and O the transforms of the even and the odd samples, X =
-/// E + e^(−2πik/N) O.
+/// The N samples of a real motion are packed into h = N/2 complex ones, its even samples plus i times its odd
+/// ones, whose transform Z is half the work. With E and O the transforms of the even and the odd samples, Z =
+/// E + iO, and the transform of the motion is X_k = E_k + e^(−iθ) O_k, θ = πk/h. Gains g of X are, for Z and without
+/// X, `Z_k ← (s − d sin θ) Z_k + i d cos θ Z*_(h−k)`, with s = g_k + g_(h−k) and d = g_k − g_(h−k), up to a factor
+/// of 2.
 #[derive(Clone)]
-pub(super) struct Transform {
+pub(super) struct Filter {
     forward: Arc<dyn Fft<f64>>,
     inverse: Arc<dyn Fft<f64>>,
-    /// e^(−2πik/N), to the middle bin.
-    turns: Arc<[Complex<f64>]>,
-    /// From zero frequency to the middle bin.
-    pub(super) bins: Vec<Complex<f64>>,
+    /// sin θ and cos θ, to the middle.
+    turns: Arc<[(f64, f64)]>,
+    /// Of the bins from zero frequency to half the sampling rate.
+    gains: Vec<f64>,
     packed: Vec<Complex<f64>>,
     scratch: Vec<Complex<f64>>,
 }
 
-impl Transform {
-    /// A transform for motions of up to `samples` samples.
+impl Filter {
+    /// A filter for motions of up to `samples` samples.
     pub(super) fn new(samples: usize) -> Self {
         // The scalar planner: its results do not depend on the vector units of the processor.
         let mut planner = FftPlannerScalar::new();
@@ -37,88 +37,71 @@ impl Transform {
         let scratch = forward
             .get_inplace_scratch_len()
             .max(inverse.get_inplace_scratch_len());
-        let turn = |k: usize| Complex::cis(-TAU * k as f64 / (2 * half) as f64);
+        let turn = |k: usize| (PI * k as f64 / half as f64).sin_cos();
         Self {
             forward,
             inverse,
-            turns: (0..=half).map(turn).collect(),
-            bins: vec![Complex::default(); half + 1],
+            turns: (0..=half / 2).map(turn).collect(),
+            gains: vec![0.0; half + 1],
             packed: vec![Complex::default(); half],
             scratch: vec![Complex::default(); scratch],
         }
     }
 
-    /// Number of samples that are transformed.
-    pub(super) fn length(&self) -> usize {
-        2 * self.packed.len()
+    /// Number of bins above zero frequency.
+    pub(super) fn bins(&self) -> usize {
+        self.packed.len()
     }
 
     /// Spacing of the bins \[Hz\].
     pub(super) fn step_hz(&self, dt_s: f64) -> f64 {
-        1.0 / (self.length() as f64 * dt_s)
+        1.0 / ((2 * self.bins()) as f64 * dt_s)
     }
 
-    /// The bins of `accel`, with zeros appended.
-    pub(super) fn forward(&mut self, accel: &[f64]) {
+    /// Multiplies the Fourier amplitudes of `accel`, with zeros appended, by `gain(k)` for bins 1 to the last, and by
+    /// 0 at zero frequency.
+    pub(super) fn apply(&mut self, accel: &mut [f64], gain: impl Fn(usize) -> f64) {
+        let half = self.bins();
+        let per_length = 1.0 / (2 * half) as f64;
+        for (k, scaled) in self.gains.iter_mut().enumerate().skip(1) {
+            *scaled = gain(k) * per_length;
+        }
         self.packed.fill(Complex::default());
-        for (packed, two) in self.packed.iter_mut().zip(accel.chunks(2)) {
-            *packed = Complex::new(two[0], two.get(1).copied().unwrap_or(0.0));
+        let (pairs, single) = accel.as_chunks::<2>();
+        for (packed, [re, im]) in self.packed.iter_mut().zip(pairs) {
+            *packed = Complex::new(*re, *im);
+        }
+        if let ([re], Some(packed)) = (single, self.packed.get_mut(pairs.len())) {
+            *packed = Complex::new(*re, 0.0);
         }
         self.forward
             .process_with_scratch(&mut self.packed, &mut self.scratch);
-        // The packed bins are periodic: bin `half` is bin 0.
-        let first = self.packed[0];
-        let ones = self.packed.iter().chain([&first]);
-        let mirrored = [&first].into_iter().chain(self.packed.iter().rev());
-        for (((bin, turn), one), mirrored) in self
-            .bins
-            .iter_mut()
-            .zip(&*self.turns)
-            .zip(ones)
-            .zip(mirrored)
-        {
-            let mirrored = mirrored.conj();
-            let (even, i_odd) = ((one + mirrored) * 0.5, (one - mirrored) * 0.5);
-            *bin = even - turn * I * i_odd;
-        }
-    }
-
-    /// Multiplies the amplitudes by `gain(k)` for bins 1 to the middle, and by 0 at zero frequency.
-    pub(super) fn multiply(&mut self, mut gain: impl FnMut(usize) -> f64) {
-        self.bins[0] = Complex::default();
-        for (k, bin) in self.bins.iter_mut().enumerate().skip(1) {
-            *bin *= gain(k);
-        }
-    }
-
-    /// The energy of all bins, those of negative frequencies too.
-    pub(super) fn energy(&self) -> f64 {
-        let of = |bin: Option<&Complex<f64>>| bin.map_or(0.0, Complex::norm_sqr);
-        let both: f64 = self.bins.iter().map(Complex::norm_sqr).sum();
-        2.0 * both - of(self.bins.first()) - of(self.bins.last())
-    }
-
-    /// The inverse transform, back to samples.
-    pub(super) fn inverse(&mut self, accel: &mut [f64]) {
-        let mirrored = self.bins.iter().rev();
-        for (((packed, one), mirrored), turn) in self
-            .packed
-            .iter_mut()
-            .zip(&self.bins)
-            .zip(mirrored)
-            .zip(&*self.turns)
-        {
-            let mirrored = mirrored.conj();
-            let (even, odd) = (one + mirrored, (one - mirrored) * turn.conj());
-            *packed = even + I * odd;
+        for (k, (sin, cos)) in self.turns.iter().enumerate() {
+            // The packed bins are periodic: bin `half` is bin 0.
+            let mirrored = (half - k) % half;
+            let (one, other) = (self.packed[k], self.packed[mirrored]);
+            let (sum, difference) = (
+                self.gains[k] + self.gains[half - k],
+                self.gains[k] - self.gains[half - k],
+            );
+            let across = difference * cos;
+            let turned = |own: Complex<f64>, factor: f64, from: Complex<f64>| {
+                Complex::new(
+                    own.re * factor + from.im * across,
+                    own.im * factor + from.re * across,
+                )
+            };
+            self.packed[k] = turned(one, sum - difference * sin, other);
+            self.packed[mirrored] = turned(other, sum + difference * sin, one);
         }
         self.inverse
             .process_with_scratch(&mut self.packed, &mut self.scratch);
-        let length = self.length() as f64;
-        for (two, packed) in accel.chunks_mut(2).zip(&self.packed) {
-            for (a, part) in two.iter_mut().zip([packed.re, packed.im]) {
-                *a = part / length;
-            }
+        let (pairs, single) = accel.as_chunks_mut::<2>();
+        if let ([re], Some(packed)) = (single, self.packed.get(pairs.len())) {
+            *re = packed.re;
+        }
+        for (pair, packed) in pairs.iter_mut().zip(&self.packed) {
+            *pair = [packed.re, packed.im];
         }
     }
 }
@@ -142,25 +125,36 @@ mod tests {
         );
     }
 
+    /// The definition: every bin of the samples with zeros appended, times its gain, and back.
     #[test]
-    fn the_bins_are_those_of_the_definition_and_the_inverse_returns() {
-        let accel: Vec<f64> = (0..11).map(|k| f64::from(k * k % 7) - 2.0).collect();
-        let mut transform = Transform::new(accel.len());
-        assert_eq!((transform.length(), transform.bins.len()), (12, 7));
-        transform.forward(&accel);
-        for (k, bin) in transform.bins.iter().enumerate() {
-            let turn = |n: usize| Complex::cis(-TAU * (k * n) as f64 / 12.0);
-            let sum: Complex<f64> = accel.iter().enumerate().map(|(n, a)| turn(n) * a).sum();
-            // Eleven terms of at most 4.
-            assert!((bin - sum).norm() < 1e-14 * 44.0, "{k}: {bin} {sum}");
-        }
-        // Parseval.
-        let energy: f64 = accel.iter().map(|a| 12.0 * a * a).sum();
-        assert!((transform.energy() / energy - 1.0).abs() < 1e-14);
-        let mut back = vec![0.0; accel.len()];
-        transform.inverse(&mut back);
-        for (a, b) in accel.iter().zip(&back) {
-            assert!((a - b).abs() < 1e-14, "{a} {b}");
+    fn a_filter_multiplies_the_amplitudes_of_bins() {
+        for samples in [2, 3, 5, 11, 17] {
+            let accel: Vec<f64> = (0..samples).map(|k| f64::from(k * k % 7) - 2.0).collect();
+            let mut filter = Filter::new(accel.len());
+            let length = 2 * filter.bins();
+            let gain = |k: usize| 1.0 / (1.0 + (k * k) as f64) + 0.3 * (k % 3) as f64;
+            let turn = |k: usize, n: usize| {
+                Complex::cis(-2.0 * PI * (k * n % length) as f64 / length as f64)
+            };
+            let bin = |k: usize| -> Complex<f64> {
+                accel.iter().enumerate().map(|(n, a)| turn(k, n) * a).sum()
+            };
+            let filtered = |n: usize| {
+                let gain_of = |k: usize| gain(k.min(length - k));
+                let sum: Complex<f64> = (1..length)
+                    .map(|k| bin(k) * gain_of(k) * turn(k, n).conj())
+                    .sum();
+                sum.re / length as f64
+            };
+            let mut found = accel.clone();
+            filter.apply(&mut found, gain);
+            for (n, found) in found.iter().enumerate() {
+                // Up to 24 terms of at most 4 × 17, and back.
+                assert!(
+                    (found - filtered(n)).abs() < 1e-13,
+                    "{samples} {n}: {found}"
+                );
+            }
         }
     }
 }

@@ -10,7 +10,8 @@ use std::f64::consts::FRAC_PI_2;
 
 use pulp::Simd;
 
-use super::ranks::{ABREAST, Ranks, SIDES};
+use super::flights::is_brief;
+use super::ranks::{ABREAST, Ranks};
 use super::record::{Record, WallRecord};
 use super::rocker::Rocker;
 use super::series::{Edge, Ground, Series, Shape, TERMS};
@@ -57,7 +58,8 @@ pub(super) struct Batch {
     /// Terms of y.
     pub(super) c: [Column<BATCH>; TERMS],
     pub(super) other: Other,
-    wall: AtWall,
+    /// Restitution of an impact on the wall beyond the edge.
+    wall_restitution: Column<BATCH>,
     /// The speed of an impact.
     pub(super) speed: Column<BATCH>,
     /// What an impact led to: [`STOPS`], [`TURNS`] or [`GOES_ON`].
@@ -72,21 +74,6 @@ pub(super) struct Other {
     pub(super) ceiling: Column<BATCH>,
     pub(super) best: Column<BATCH>,
     restitution: Column<BATCH>,
-    pull: Pull,
-}
-
-/// What an impact on the wall beyond the edge needs.
-#[derive(Default)]
-struct AtWall {
-    restitution: Column<BATCH>,
-    pull: Pull,
-}
-
-/// What pulls a block back to where it bounced: the parts of 1 + ü_v/g and of ü_h/g.
-#[derive(Default)]
-struct Pull {
-    v: Column<BATCH>,
-    u: Column<BATCH>,
 }
 
 /// What is known of blocks besides their place.
@@ -127,20 +114,16 @@ impl Batch {
             let edge = usize::from(self.side[i] < 0.0);
             let beyond = 1 - edge;
             let rocker = &known.rockers[block];
-            let terms = &rocker.edges[beyond];
             if !self.alike {
+                let terms = &rocker.edges[beyond];
                 self.other.alpha[i] = terms.alpha;
                 self.other.x2[i] = terms.x2;
                 self.other.ceiling[i] = terms.ceiling;
             }
             self.other.restitution[i] = rocker.restitution[beyond];
-            self.other.pull.v[i] = terms.threshold * terms.b;
-            self.other.pull.u[i] = SIDES[beyond] * terms.b;
             self.other.best[i] = known.records[block].sides[beyond].height;
             if self.walled {
-                let wall = &known.walls[block];
-                self.wall.restitution[i] = wall.restitution[edge];
-                [self.wall.pull.v[i], self.wall.pull.u[i]] = wall.press[edge];
+                self.wall_restitution[i] = known.walls[block].restitution[edge];
             }
         }
         for i in batch.len()..batch.len().next_multiple_of(ABREAST) {
@@ -210,7 +193,7 @@ impl Batch {
 
         let shape = series.shape(m);
         let Shape { bend, y1, w1, .. } = shape;
-        let top = m.add(y, m.add(m.abs(w), m.mul(half, bend)));
+        let top = m.add(m.add(y, w), m.mul(half, bend));
         // Up to the wall, or to π/2.
         let high = m.not(m.gt(ceiling, top));
         let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
@@ -408,33 +391,14 @@ impl Batch {
         let (w, tau) = (self.w.get::<S>(i), self.tau.get::<S>(i));
         let mut toward = m.sub(zero, w);
         let mut restitution = self.other.restitution.get::<S>(i);
-        let mut pulls = [self.other.pull.v.get::<S>(i), self.other.pull.u.get::<S>(i)];
         if self.walled {
             toward = m.select(landing, toward, w);
-            restitution = m.select(landing, restitution, self.wall.restitution.get::<S>(i));
-            pulls = [
-                m.select(landing, pulls[0], self.wall.pull.v.get::<S>(i)),
-                m.select(landing, pulls[1], self.wall.pull.u.get::<S>(i)),
-            ];
+            restitution = m.select(landing, restitution, self.wall_restitution.get::<S>(i));
         }
         let speed = m.select(m.gt(toward, zero), toward, zero);
         let after = m.mul(speed, restitution);
         self.speed.set::<S>(i, speed);
-        let (u_start, u_change) = (m.splat(ground.u), m.splat(ground.u_change));
-        let (v_start, v_change) = (m.splat(ground.v), m.splat(ground.v_change));
-        let [pull_v, pull_u] = pulls;
-        let pull = |v, u| m.add(m.mul(pull_v, v), m.mul(pull_u, u));
-        let now = pull(
-            m.add(v_start, m.mul(tau, v_change)),
-            m.add(u_start, m.mul(tau, u_change)),
-        );
-        let rest = m.sub(one, tau);
-        let least = m.smaller(now, m.add(now, m.mul(rest, pull(v_change, u_change))));
-        // `Acting::is_brief`.
-        let brief = m.ge(m.mul(rest, least), m.mul(m.splat(2.2), after));
-        // Beside a wall that it touches, where the pull is infinite, a landing is an impact on that, too.
-        let free = m.and(m.gt(m.splat(f64::INFINITY), pull_v), m.not(brief));
-        let goes = m.and(hits, m.and(m.gt(after, m.splat(rest_w)), free));
+        let goes = m.and(hits, m.gt(after, m.splat(rest_w)));
         if !m.any(goes) {
             return;
         }
@@ -456,15 +420,30 @@ impl Batch {
             best = m.select(landing, best, ceiling);
         }
         let (edge, local) = rest_of_step(m, ground, tau, Edge { alpha, x2 }, side);
+        let rest = m.sub(one, tau);
         let local_w = m.mul(w, rest);
         let series = Series::<S, K>::new::<true>(m, y, local_w, edge, local, |pull| pull);
+        // What pulls it back to where it bounced, and the change of that over the rest of the step.
+        let mut pull = m.sub(zero, series.slope[2]);
+        let [sin, cos] = series.start;
+        let mut change = m.fma(local.v_change, sin, m.mul(local.su_change, cos));
+        let mut goes = goes;
+        if self.walled {
+            pull = m.select(landing, pull, m.sub(zero, pull));
+            change = m.select(landing, change, m.sub(zero, change));
+            // Beside a wall that it touches, a landing is an impact on that, too.
+            goes = m.and(goes, m.or(m.not(landing), m.gt(limit, zero)));
+        }
+        let least = m.smaller(pull, m.add(pull, change));
+        let goes = m.and(goes, m.not(is_brief(m, local_w, least)));
+
         let bend = series.bend(m);
         let half_bend = m.mul(half, bend);
-        let reach = m.add(m.abs(local_w), half_bend);
-        let top = m.add(y, reach);
-        let above = m.or(m.gt(y, reach), m.gt(local_w, half_bend));
-        // Below the wall or π/2 throughout, or off the wall and away from it throughout.
-        let below = m.or(m.gt(limit, top), m.gt(m.sub(zero, local_w), bend));
+        let straight = m.add(y, local_w);
+        let top = m.add(straight, half_bend);
+        // Above the floor and below the wall or π/2 throughout; from there, too, if it leaves them.
+        let above = m.gt(straight, half_bend);
+        let below = m.gt(limit, top);
         let turning = m.and(m.ge(bend, m.abs(local_w)), m.gt(top, best));
         let calm = m.and(m.and(above, below), m.not(turning));
         let (mut y1, mut w1) = (series.c[K], zero);

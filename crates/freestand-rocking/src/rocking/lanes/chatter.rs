@@ -1,5 +1,4 @@
-//! Short flights between impacts: single flights by a short series of their own, and all the
-//! flights before rest in one formula.
+//! All the flights before rest in one formula.
 
 /// What pulls a block back to the floor about one edge over the rest of a step: `now` + `slope` x.
 #[derive(Debug, Clone, Copy)]
@@ -8,99 +7,8 @@ pub(super) struct Pull {
     pub(super) slope: f64,
 }
 
-/// What acts on a block about one edge over the rest of a step, in units of the step:
-/// ÿ = −(E cos y − D sin y).
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Acting {
-    pub(super) e: Pull,
-    pub(super) d: Pull,
-}
-
-/// A flight from the floor back to it: its duration and the speed of the impact that ends it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Flight {
-    pub(super) time: f64,
-    pub(super) speed: f64,
-}
-
-/// Largest y of a short flight: the omitted part of E cos y, the change of E times y²/2, is below
-/// 1e-13 of E.
-const LOW: f64 = 1e-6;
-
-/// Largest D times the square of the duration of a short flight: the seventh term of the series,
-/// (D T²)³/5040, is below 1e-16.
-const SHORT: f64 = 5e-5;
-
-impl Acting {
-    /// Whether a flight that starts at the speed `w` may be certain to land within the time `left`:
-    /// under the least pull alone it lasts 2w/E.
-    #[inline(always)]
-    pub(super) fn is_brief(&self, w: f64, left: f64) -> bool {
-        2.2 * w <= left * self.e.least(left)
-    }
-
-    /// The flight that starts at the speed `w`; `None` unless it is short, lower than `lower_than`,
-    /// and certain to land within the time `left`.
-    #[inline(always)]
-    pub(super) fn flight(&self, w: f64, left: f64, lower_than: f64) -> Option<Flight> {
-        let (e, d) = (self.e.now, self.d.now);
-        let least = self.e.least(left);
-        // y never passes w²/2E under the least pull: half of this.
-        let longest = 2.2 * w / least;
-        let highest = 0.5 * w * longest;
-        let strongest = self.d.strongest(left);
-        if !(self.is_brief(w, left)
-            && least > 0.0
-            && highest <= LOW
-            && highest < lower_than
-            && strongest * longest * longest <= SHORT)
-        {
-            return None;
-        }
-        let (e1, d1) = (self.e.slope, self.d.slope);
-        let inverse = 1.0 / e;
-        let epsilon = e1 * w * inverse * inverse;
-        if epsilon.abs() > SMALL_EPSILON {
-            return None;
-        }
-        // y/x.
-        let (c0, c1) = (w, -0.5 * e);
-        let c2 = (d * w - e1) * (1.0 / 6.0);
-        let c3 = (d1 * w + d * c1 + 0.5 * e * w * w) * (1.0 / 12.0);
-        let c4 = (d * c2 + d1 * c1 - 0.5 * e * w * e) * (1.0 / 20.0);
-        let c5 = (d * c3 + d1 * c2 + 0.125 * e * e * e) * (1.0 / 30.0);
-        // The landing under E alone, and the effect of D for a constant pull; then one step of
-        // Newton's method.
-        let ballistic = 2.0 * w * inverse;
-        let x = ballistic * (flight_ratio(epsilon) + d * (ballistic * ballistic) * (1.0 / 12.0));
-        // By pairs of terms: a shorter chain than term by term.
-        let square = x * x;
-        let value = (c0 + x * c1) + square * ((c2 + x * c3) + square * (c4 + x * c5));
-        let slope =
-            (c1 + x * (2.0 * c2)) + square * ((3.0 * c3 + x * (4.0 * c4)) + square * (5.0 * c5));
-        let step = value / slope;
-        let x = x - step;
-        // At the landing y/x is zero, and dy/dx is x times the slope of y/x, which the step of
-        // Newton's method has changed.
-        let slope = slope - step * (2.0 * c2 + 6.0 * c3 * x);
-        Some(Flight {
-            time: x,
-            speed: -x * slope,
-        })
-    }
-
-    /// The same, `time` later.
-    #[inline(always)]
-    pub(super) fn after(self, time: f64) -> Self {
-        Self {
-            e: self.e.after(time),
-            d: self.d.after(time),
-        }
-    }
-}
-
-/// Largest |ε| of [`flight_ratio`].
-const SMALL_EPSILON: f64 = 0.02;
+/// Largest |ε| = |E′w/E²| of a flight whose duration is a series in ε.
+pub(super) const SMALL_EPSILON: f64 = 0.02;
 
 /// τ of a flight under E + E′x that lasts (2w/E)τ: ⅔ετ² + τ = 1, as a series whose first omitted
 /// term is 42(⅔ε)⁵ < 2e-8.
@@ -112,18 +20,6 @@ fn flight_ratio(epsilon: f64) -> f64 {
 }
 
 impl Pull {
-    /// The smallest pull within the time `left`.
-    #[inline(always)]
-    fn least(self, left: f64) -> f64 {
-        self.now.min(self.now + left * self.slope)
-    }
-
-    /// An upper bound of its magnitude within the time `left`.
-    #[inline(always)]
-    fn strongest(self, left: f64) -> f64 {
-        self.now.abs() + left * self.slope.abs()
-    }
-
     #[inline(always)]
     fn after(self, time: f64) -> Self {
         Self {
@@ -140,43 +36,6 @@ pub(super) struct Trace {
     pub(super) speed: f64,
 }
 
-/// Number of impacts until the speed after one is at most `rest`, from the speed `w` after an
-/// impact, with which the block starts to rotate about the first of the `edges`. `None` unless all
-/// are certain to occur within the time `left` and to exceed no extreme in `traces`.
-#[inline(always)]
-pub(super) fn impacts_to_rest(
-    edges: [&Acting; 2],
-    r: f64,
-    w: f64,
-    left: f64,
-    traces: [Trace; 2],
-    rest: f64,
-) -> Option<usize> {
-    /// Largest relative change of the pull on the way to rest; it lets speeds grow by at most
-    /// [`GROWTH`].
-    const CHANGE: f64 = 0.3;
-    const GROWTH: f64 = 1.3;
-    /// Largest contribution of y to the pull, as a ratio.
-    const PART: f64 = 1e-5;
-    let fastest = GROWTH * w;
-    let slowing = 1.0 - r;
-    for (acting, trace) in edges.iter().zip(traces) {
-        let least = acting.e.least(left);
-        let square = 0.5 * fastest * fastest;
-        // Most often it is the time that does not suffice.
-        let holds = 2.0 * fastest <= least * slowing * left
-            && least > 0.0
-            && acting.e.slope.abs() * w <= CHANGE * slowing * least * least
-            && acting.d.strongest(left) * square <= PART * least * least
-            && square < least * trace.height
-            && fastest < trace.speed;
-        if !holds {
-            return None;
-        }
-    }
-    Some(count([edges[0].e, edges[1].e], r, w, rest))
-}
-
 /// Flights are calculated one by one while the pull still changes by more than this ratio on the
 /// way to rest. Below it the third-order error of the sum is less than 3e-6, far less than the ln
 /// of the speed ratio of two impacts.
@@ -189,7 +48,7 @@ const SMALL_CHANGE: f64 = 0.01;
 /// flights consists of geometric series, taken to the second order. The contribution of y to the
 /// pull conserves energy about each edge and drops out.
 #[inline(never)]
-fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
+pub(super) fn count(mut edges: [Pull; 2], r: f64, mut w: f64, rest: f64) -> usize {
     let mut followed = 0;
     loop {
         if w <= rest {

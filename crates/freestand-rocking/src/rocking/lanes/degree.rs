@@ -107,12 +107,12 @@ impl<const K: usize, const VERTICAL: bool> WithSimd for Advance<'_, K, VERTICAL>
                     let (y1, w1) = series.end(m);
                     let bend = series.bend(m);
                     let half_bend = m.mul(half, bend);
-                    let reach = m.add(m.abs(w), half_bend);
-                    let top = m.add(y, reach);
-                    // Above the floor throughout: too high to reach it, or going up too fast to come
-                    // back.
-                    let above = m.or(m.gt(y, reach), m.gt(w, half_bend));
-                    // Below π/2, or below the wall.
+                    // y differs from c₀ + c₁x by at most x² times half of the bend.
+                    let straight = m.add(y, w);
+                    let top = m.add(straight, half_bend);
+                    // Above the floor and below π/2, or the wall, throughout; from there, too, if it
+                    // leaves them.
+                    let above = m.gt(straight, half_bend);
                     let calm = m.and(above, m.gt(rank.ceiling.get::<S>(i), top));
                     let turning = m.and(m.ge(bend, m.abs(w)), m.gt(top, best));
                     // A maximum that may be the largest so far is an event, too.

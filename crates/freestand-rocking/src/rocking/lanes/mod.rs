@@ -8,7 +8,7 @@
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
 //! copied to a batch (`batch`), where landings and maxima are roots of the series, and where a block
 //! goes on from an impact to the end of the step if nothing else happens in it. Otherwise it comes to
-//! rest, makes short flights and its last impacts (`chatter`), or is taken to its next event
+//! rest, makes short flights (`flights`) and its last impacts (`chatter`), or is taken to its next event
 //! (`tile/events`). A block at rest costs nothing until the sample that lifts it, which is
 //! found from maxima over spans of the motion (`shaking`, `tile/waiting`). After the motion the
 //! rest of the response follows from the conservation of energy (`quiet`).
@@ -19,6 +19,7 @@
 mod batch;
 mod chatter;
 mod degree;
+mod flights;
 mod quiet;
 mod ranks;
 mod record;
@@ -239,7 +240,7 @@ fn tiles(group: &[(Plan, usize)]) -> Vec<Vec<(Plan, usize)>> {
 
 /// The motion for the kernel, and the number of intervals after it in which a block may come to
 /// rest. `None`: the scalar solver calculates the responses or reports the error.
-fn prepare(base: Base, options: &RockingOptions) -> Option<(Shaking, Option<usize>)> {
+fn prepare<'a>(base: Base<'a>, options: &RockingOptions) -> Option<(Shaking<'a>, Option<usize>)> {
     if options.model == RockingModel::Linearised
         || options.initial_rotation_rad != 0.0
         || options.initial_omega_rad_s != 0.0

@@ -51,6 +51,8 @@ pub(super) struct Series<S: Simd, const K: usize> {
     pub(super) c: [Numbers<S>; TERMS],
     /// k cₖ: the terms of the slope at x = 1.
     pub(super) slope: [Numbers<S>; TERMS],
+    /// x² sin φ and x² cos φ at the start.
+    pub(super) start: [Numbers<S>; 2],
 }
 
 impl<S: Simd, const K: usize> Series<S, K> {
@@ -113,7 +115,8 @@ impl<S: Simd, const K: usize> Series<S, K> {
                 c[N + 2] = m.mul(slope[N + 2], m.splat(INVERSE[N + 2]));
             }
         });
-        Self { c, slope }
+        let start = [sin[0], cos[0]];
+        Self { c, slope, start }
     }
 
     /// y and dy/dx at the end of the step, the small terms first.

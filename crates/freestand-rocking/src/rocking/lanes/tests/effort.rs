@@ -164,7 +164,7 @@ fn kernel_at_rest() {
 fn kernel_under_a_pulse() {
     assert_eq!(
         kernel(across(&pulse()), &until_rest()),
-        [43326, 1474, 3145, 68]
+        [43326, 1423, 2884, 68]
     );
 }
 
@@ -172,7 +172,7 @@ fn kernel_under_a_pulse() {
 fn kernel_under_noise_fast() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Fast)),
-        [124729, 3244, 31248, 1854]
+        [124733, 3514, 28911, 1570]
     );
 }
 
@@ -180,7 +180,7 @@ fn kernel_under_noise_fast() {
 fn kernel_under_noise_standard() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Standard)),
-        [125202, 5269, 30621, 1902]
+        [125228, 5259, 27749, 1609]
     );
 }
 
@@ -188,7 +188,7 @@ fn kernel_under_noise_standard() {
 fn kernel_under_noise_tight() {
     assert_eq!(
         kernel(across(&noise(1)), &at(Accuracy::Tight)),
-        [132521, 4446, 30060, 1786]
+        [132535, 4370, 27244, 1508]
     );
 }
 
@@ -200,7 +200,7 @@ fn kernel_with_vertical_motion() {
     };
     assert_eq!(
         kernel(base, &at(Accuracy::Standard)),
-        [122779, 2404, 22469, 1896]
+        [122789, 2410, 19844, 1622]
     );
 }
 
@@ -217,6 +217,6 @@ fn kernel_between_walls() {
     };
     assert_eq!(
         kernel(across(&noise(1)), &options),
-        [142037, 5381, 37702, 1456]
+        [142063, 5345, 32110, 1143]
     );
 }

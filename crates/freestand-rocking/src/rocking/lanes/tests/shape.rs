@@ -26,6 +26,8 @@ fn what_is_certain_of_a_step_is_so() {
         let series = Series::<pulp::Scalar, K> {
             c: c.map(|c| [c; 2]),
             slope: slope.map(|c| [c; 2]),
+            // Not what a shape is found from.
+            start: [[0.0; 2]; 2],
         };
         let shape = series.shape(m);
         let second: Vec<f64> = (2..=K).map(|k| (k - 1) as f64 * slope[k]).collect();

@@ -7,7 +7,8 @@ use super::{Lift, Step, Tile};
 use crate::polynomial::{first_root, roots, value, value_and_slope};
 use crate::rocking::MAX_IMPACTS;
 use crate::rocking::lanes::batch::{CALM, GOES_ON, Known, LANDING, STOPS, STRIKE};
-use crate::rocking::lanes::chatter::{Acting, Pull, Trace, impacts_to_rest};
+use crate::rocking::lanes::chatter::Trace;
+use crate::rocking::lanes::flights::{Acting, Flown, Flyer};
 use crate::rocking::lanes::ranks::{Moving, SIDES};
 use crate::rocking::lanes::record::State;
 use crate::rocking::lanes::rocker::EdgeTerms;
@@ -235,12 +236,12 @@ impl Tile<'_> {
             self.go_on(step, lane, edge, w, tau);
             return;
         }
-        let (edge, w, tau) = if after > self.rest_w {
-            self.short_flights(step, block, other, after, tau)
+        if after > self.rest_w {
+            self.take_off(lane, block, other, after, tau);
+            self.fly_if_full(step);
         } else {
-            (other, after, tau)
-        };
-        self.go_on(step, lane, edge, w, tau);
+            self.go_on(step, lane, other, after, tau);
+        }
     }
 
     /// Goes on from the floor with the velocity `w` about `edge`, or rests.
@@ -288,23 +289,27 @@ impl Tile<'_> {
     #[inline(never)]
     fn strike(&mut self, step: &Step, lane: usize, w: f64, tau: f64) {
         let Moving { block, edge, .. } = self.moving.get(lane);
-        let rocker = &self.rockers[block as usize];
-        let ceiling = rocker.edges[edge].ceiling;
         let speed = w.max(0.0);
         // Too many are found below.
         self.count_strike(block, edge, speed);
         let wall = &self.walls[block as usize];
         let after = speed * wall.restitution[edge];
-        let (after, tau) = if after > self.rest_w {
-            self.short_bounces(step, block, edge, after, tau)
+        if after > self.rest_w {
+            self.take_off_from_wall(lane, block, edge, after, tau);
+            self.fly_if_full(step);
         } else {
-            (after, tau)
-        };
+            self.go_on_from_wall(step, lane, edge, after, tau);
+        }
+    }
+
+    /// Goes on from the wall beyond the edge of a lane with the speed `after`, or leans on it.
+    fn go_on_from_wall(&mut self, step: &Step, lane: usize, edge: usize, after: f64, tau: f64) {
+        let block = self.moving.block(lane);
         if self.walls[block as usize].impact_count > MAX_IMPACTS {
-            self.records[block as usize].state = State::GivenUp;
-            self.moving.leave(lane);
+            self.give_up(lane);
             return;
         }
+        let ceiling = self.rockers[block as usize].edges[edge].ceiling;
         if after > self.rest_w {
             self.turn(lane, edge, ceiling, -after, tau);
             return;
@@ -318,64 +323,104 @@ impl Tile<'_> {
         }
     }
 
-    /// Calculates short flights from the wall back to it, which do not come near the floor. Returns
-    /// the speed away from the wall and the part of the step that has passed after the last of them;
-    /// a speed of zero at the end of the step if the block leans before it.
-    ///
-    /// With d = θ_c − y the equation is that of a flight from the floor:
-    /// d̈ = −(E′ cos d − D′ sin d), E′ = D sin θ_c − E cos θ_c, D′ = E sin θ_c + D cos θ_c.
-    fn short_bounces(
-        &mut self,
-        step: &Step,
-        block: u32,
-        edge: usize,
-        w: f64,
-        tau: f64,
-    ) -> (f64, f64) {
+    /// Keeps a lane for [`Self::fly`], which takes it through short flights from the floor back to it.
+    fn take_off(&mut self, lane: usize, block: u32, edge: usize, w: f64, tau: f64) {
         let rocker = &self.rockers[block as usize];
-        let wall = &mut self.walls[block as usize];
-        let ceiling = rocker.edges[edge].ceiling;
-        let r = wall.restitution[edge];
-        let (mut w, mut tau) = (w, tau);
-        let (u, v) = step.ground.at(tau);
-        let (u1, v1) = (step.ground.u_change, step.ground.v_change);
-        let ([by_v, by_u], s) = (wall.press[edge], SIDES[edge]);
-        let mut acting = Acting {
-            e: Pull {
-                now: by_v * v + by_u * u,
-                slope: by_v * v1 + by_u * u1,
-            },
-            d: Pull {
-                now: s * (by_v * u - by_u * v),
-                slope: s * (by_v * u1 - by_u * v1),
+        let record = &self.records[block as usize];
+        let about = [edge, 1 - edge].map(|edge| {
+            let EdgeTerms { threshold, b, .. } = rocker.edges[edge];
+            Acting {
+                a: threshold * b,
+                b,
+                side: SIDES[edge],
+                restitution: rocker.restitution[1 - edge],
+                trace: record.sides[edge],
+            }
+        });
+        // After the motion, impacts of a block for which `tail` has no result are counted one by one,
+        // as in the scalar solver.
+        let counted = !self.quiet && rocker.restitution[0] == rocker.restitution[1];
+        let flyer = Flyer {
+            lane: lane as u32,
+            edge,
+            from_wall: false,
+            w,
+            tau,
+        };
+        self.flights.push(flyer, about, counted);
+    }
+
+    /// The same from the wall beyond an edge back to it, where flights do not come near the floor.
+    ///
+    /// With d = θ_c − y the equation is that of a flight from the floor, about the angle θ_c − α and to
+    /// the other side.
+    fn take_off_from_wall(&mut self, lane: usize, block: u32, edge: usize, w: f64, tau: f64) {
+        let wall = &self.walls[block as usize];
+        let [by_v, by_u] = wall.press[edge];
+        let side = -SIDES[edge];
+        let acting = Acting {
+            a: by_v,
+            b: side * by_u,
+            side,
+            restitution: wall.restitution[edge],
+            trace: Trace {
+                height: self.rockers[block as usize].edges[edge].ceiling,
+                speed: wall.speeds[edge],
             },
         };
-        while w > self.rest_w && wall.impact_count < MAX_IMPACTS {
-            let left = 1.0 - tau;
-            if !acting.is_brief(w, left) {
-                break;
-            }
-            let trace = Trace {
-                height: ceiling,
-                speed: wall.speeds[edge],
-            };
-            if !self.quiet
-                && let Some(impacts) =
-                    impacts_to_rest([&acting; 2], r, w, left, [trace; 2], self.rest_w)
-            {
-                wall.impact_count += impacts;
-                return (0.0, 1.0);
-            }
-            let Some(flight) = acting.flight(w, left, ceiling) else {
-                break;
-            };
-            wall.impact_count += 1;
-            wall.speeds[edge] = wall.speeds[edge].max(flight.speed);
-            acting = acting.after(flight.time);
-            w = flight.speed * r;
-            tau += flight.time;
+        let flyer = Flyer {
+            lane: lane as u32,
+            edge,
+            from_wall: true,
+            w,
+            tau,
+        };
+        self.flights.push(flyer, [acting; 2], !self.quiet);
+    }
+
+    fn fly_if_full(&mut self, step: &Step) {
+        if self.flights.is_full() {
+            self.fly(step);
         }
-        (w, tau)
+    }
+
+    /// Takes the lanes that wait for it through their short flights.
+    pub(super) fn fly(&mut self, step: &Step) {
+        self.flights.fly(self.arch, step.ground, self.rest_w);
+        while let Some(flown) = self.flights.pop(step.ground, self.rest_w) {
+            let Flown {
+                flyer,
+                impacts,
+                w,
+                tau,
+                speeds: [first, second],
+            } = flown;
+            let Flyer {
+                lane,
+                edge,
+                from_wall,
+                ..
+            } = flyer;
+            let lane = lane as usize;
+            let block = self.moving.block(lane) as usize;
+            if from_wall {
+                let wall = &mut self.walls[block];
+                wall.impact_count += impacts;
+                wall.speeds[edge] = first.max(second);
+                self.go_on_from_wall(step, lane, edge, w, tau);
+                continue;
+            }
+            let record = &mut self.records[block];
+            record.impact_count += impacts;
+            record.sides[edge].speed = first;
+            record.sides[1 - edge].speed = second;
+            if record.impact_count > MAX_IMPACTS {
+                self.give_up(lane);
+                continue;
+            }
+            let edge = if impacts % 2 == 0 { edge } else { 1 - edge };
+            self.go_on(step, lane, edge, w, tau);
+        }
     }
 
     /// Starts the rotation about `edge` from the floor or from the wall.
@@ -400,87 +445,6 @@ impl Tile<'_> {
         if !over {
             self.again.push(lane as u32);
         }
-    }
-
-    /// Calculates short flights, which set no new largest rotation. Returns the edge, the speed and
-    /// the part of the step that has passed after the last of them; a speed of zero at the end of
-    /// the step if the block comes to rest before it.
-    fn short_flights(
-        &mut self,
-        step: &Step,
-        block: u32,
-        edge: usize,
-        w: f64,
-        tau: f64,
-    ) -> (usize, f64, f64) {
-        let rocker = &self.rockers[block as usize];
-        let record = &mut self.records[block as usize];
-        let (mut edge, mut w, mut tau) = (edge, w, tau);
-        let (u, v) = step.ground.at(tau);
-        let (u1, v1) = (step.ground.u_change, step.ground.v_change);
-        let acting_about = |edge: usize| {
-            let (s, EdgeTerms { threshold, b, .. }) = (SIDES[edge], rocker.edges[edge]);
-            let a = threshold * b;
-            Acting {
-                e: Pull {
-                    now: a * v + s * b * u,
-                    slope: a * v1 + s * b * u1,
-                },
-                d: Pull {
-                    now: b * v - s * a * u,
-                    slope: b * v1 - s * a * u1,
-                },
-            }
-        };
-        let mut here = acting_about(edge);
-        if !here.is_brief(w, 1.0 - tau) {
-            return (edge, w, tau);
-        }
-        let mut there = acting_about(1 - edge);
-        let alike = rocker.restitution[0] == rocker.restitution[1];
-        let [mut restitution, mut other_restitution] =
-            [rocker.restitution[1 - edge], rocker.restitution[edge]];
-        let [mut trace, mut other_trace] = [record.sides[edge], record.sides[1 - edge]];
-        let mut impacts = record.impact_count;
-        let mut rests = false;
-        while w > self.rest_w && impacts < MAX_IMPACTS {
-            let left = 1.0 - tau;
-            // After the motion, impacts of a block for which `tail` has no result are counted one
-            // by one, as in the scalar solver.
-            if !self.quiet
-                && alike
-                && let Some(last) = impacts_to_rest(
-                    [&here, &there],
-                    restitution,
-                    w,
-                    left,
-                    [trace, other_trace],
-                    self.rest_w,
-                )
-            {
-                impacts += last;
-                rests = impacts <= MAX_IMPACTS;
-                break;
-            }
-            let Some(flight) = here.flight(w, left, trace.height) else {
-                break;
-            };
-            impacts += 1;
-            trace.speed = trace.speed.max(flight.speed);
-            w = flight.speed * restitution;
-            tau += flight.time;
-            (here, there) = (there.after(flight.time), here.after(flight.time));
-            (trace, other_trace) = (other_trace, trace);
-            (restitution, other_restitution) = (other_restitution, restitution);
-            edge = 1 - edge;
-        }
-        record.impact_count = impacts;
-        record.sides[edge] = trace;
-        record.sides[1 - edge] = other_trace;
-        if rests {
-            (w, tau) = (0.0, 1.0);
-        }
-        (edge, w, tau)
     }
 
     /// The block of a lane comes to rest in a step and waits to be lifted again.

@@ -8,6 +8,7 @@ use pulp::Arch;
 
 use super::batch::{BATCH, Batch};
 use super::degree::Degree;
+use super::flights::Flights;
 use super::quiet::tail;
 use super::ranks::{Moving, NONE, Ranks};
 use super::record::{Record, State, WallRecord};
@@ -39,7 +40,7 @@ pub(super) struct Work {
 }
 
 pub(super) struct Tile<'a> {
-    shaking: &'a Shaking,
+    shaking: &'a Shaking<'a>,
     rockers: &'a [Rocker],
     pub(super) records: Vec<Record>,
     pub(super) walls: Vec<WallRecord>,
@@ -55,6 +56,8 @@ pub(super) struct Tile<'a> {
     queue: Vec<u32>,
     again: Vec<u32>,
     batch: Batch,
+    /// Lanes that wait for the calculation of their short flights.
+    flights: Flights,
     /// Linked lists of the blocks lifted in each interval: its first block, and the next after each
     /// block.
     lifted_in: Vec<u32>,
@@ -64,6 +67,9 @@ pub(super) struct Tile<'a> {
     quiet: bool,
     rest_w: f64,
 }
+
+/// Intervals in which a lift is looked for at once.
+const AHEAD: usize = 64;
 
 /// One step of an interval.
 struct Step<'a> {
@@ -77,7 +83,7 @@ impl<'a> Tile<'a> {
     pub(super) fn new(
         arch: Arch,
         degree: Degree,
-        shaking: &'a Shaking,
+        shaking: &'a Shaking<'a>,
         rockers: &'a [Rocker],
         walls: Vec<WallRecord>,
         parts: usize,
@@ -99,6 +105,7 @@ impl<'a> Tile<'a> {
             queue: Vec::new(),
             again: Vec::new(),
             batch: Batch::new(walled, rockers.iter().all(Rocker::is_symmetric)),
+            flights: Flights::default(),
             lifted_in: vec![NONE; shaking.intervals()],
             lifted_next: vec![NONE; rockers.len()],
             pending: Vec::new(),
@@ -148,11 +155,18 @@ impl<'a> Tile<'a> {
     /// The first interval, from index `from`, in which a block moves or is lifted.
     fn busy_from(&self, from: usize) -> Option<usize> {
         let ahead = self.lifted_in.get(from..).unwrap_or_default();
-        match self.moving.is_empty() {
-            true => ahead.iter().position(|block| *block != NONE),
-            false => (!ahead.is_empty()).then_some(0),
+        if !self.moving.is_empty() {
+            return (!ahead.is_empty()).then_some(from);
         }
-        .map(|ahead| from + ahead)
+        // Many at a time where none is lifted, which has all bits of NONE.
+        let is_still = |blocks: &&[u32]| blocks.iter().fold(NONE, |all, block| all & block) == NONE;
+        let still: usize = ahead
+            .chunks(AHEAD)
+            .take_while(is_still)
+            .map(<[u32]>::len)
+            .sum();
+        let lifted = ahead[still..].iter().position(|block| *block != NONE)?;
+        Some(from + still + lifted)
     }
 
     /// Calculates the blocks that still move after the motion, for at most `wait` intervals.
@@ -233,7 +247,10 @@ impl<'a> Tile<'a> {
             }
             self.work.steps += self.moving.count();
             advance(self.arch, self.moving.in_use(), ground, &mut self.queue);
-            while !self.queue.is_empty() {
+            while !self.queue.is_empty() || !self.flights.is_empty() {
+                if self.queue.is_empty() {
+                    self.fly(&step);
+                }
                 let mut queue = std::mem::take(&mut self.queue);
                 for batch in queue.chunks(BATCH) {
                     self.events(&step, batch);
