@@ -516,9 +516,6 @@ struct ThinnedGroup {
 /// (π/16)²/2 = 1.9 % at most, and by a third of it in the mean, which is added.
 const THINNED_TO_SAMPLES: f64 = 16.0;
 
-/// What thinning takes from the start of a motion in all, and more \[samples\].
-const SHORTER_BY: usize = 64;
-
 /// The coefficients of u/b₂ in lanes.
 #[derive(Debug, Clone, Copy)]
 struct RecurrenceGroup<F, const N: usize> {
@@ -578,7 +575,7 @@ impl DisplacementBank {
                 group.scale[i] /= left as f32;
             }
             let longest_s = periods_s.iter().copied().fold(0.0, f64::max);
-            let decaying = (0.5 * longest_s / dt_s).ceil() as usize + SHORTER_BY;
+            let decaying = (0.5 * longest_s / dt_s).ceil() as usize + every;
             Ok(ThinnedGroup {
                 every,
                 decaying,
@@ -617,7 +614,9 @@ impl DisplacementBank {
             .iter()
             .rposition(|a| *a != 0.0)
             .map_or(0, |k| k + 1);
-        let from = quiet.saturating_sub(SHORTER_BY);
+        // More than thinning takes from the start, and whole samples of the most thinned group, which do not shift.
+        let coarsest = self.quick.last().map_or(1, |group| group.every);
+        let from = (quiet / coarsest).saturating_sub(4) * coarsest;
         let mut thinned: Vec<f32> = accel_m_s2[from..].iter().map(|a| *a as f32).collect();
         let mut left = 1;
         let peaks_m = self.quick.iter().flat_map(|group| {
