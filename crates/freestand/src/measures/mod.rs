@@ -204,7 +204,7 @@ pub fn longest(along: &[f64], across: &[f64]) -> f64 {
 }
 
 /// The length of the longest of the vectors whose components are the running integrals of these values, as
-/// [`cumulative_trapezoid`] gives them; 0 of fewer than two values.
+/// [`cumulative_trapezoid`] gives them but for rounding; 0 of fewer than two values.
 ///
 /// **Units**: those of the values times s.
 ///
@@ -214,13 +214,41 @@ pub fn longest(along: &[f64], across: &[f64]) -> f64 {
 /// assert_eq!(longest_integral(1.0, &[0.0, 6.0, -6.0], &[0.0, 8.0, -8.0]), 5.0);
 /// ```
 pub fn longest_integral(dt_s: f64, along: &[f64], across: &[f64]) -> f64 {
-    let (mut now, mut longest, mut most) = ([0.0; 2], [0.0; 2], 0.0);
-    for (along, across) in along.windows(2).zip(across.windows(2)) {
-        now[0] += 0.5 * dt_s * (along[0] + along[1]);
-        now[1] += 0.5 * dt_s * (across[0] + across[1]);
-        let square = now[0] * now[0] + now[1] * now[1];
+    /// Intervals whose integrals are begun from nothing, so that only one sum in so many waits for that before it.
+    const ABREAST: usize = 4;
+    let (mut before, mut longest, mut most) = ([0.0; 2], [0.0; 2], 0.0);
+    let samples = along.len().min(across.len());
+    let wholes = samples.saturating_sub(1) / ABREAST;
+    for place in 0..wholes {
+        let from = place * ABREAST;
+        let integrals = |values: &[f64], before: f64| {
+            let values = &values[from..=from + ABREAST];
+            let mut sums: [f64; ABREAST] =
+                std::array::from_fn(|k| 0.5 * dt_s * (values[k] + values[k + 1]));
+            for k in 1..ABREAST {
+                sums[k] += sums[k - 1];
+            }
+            sums.map(|sum| before + sum)
+        };
+        let both = [integrals(along, before[0]), integrals(across, before[1])];
+        let square = |k: usize| both[0][k] * both[0][k] + both[1][k] * both[1][k];
+        let squares: [f64; ABREAST] = std::array::from_fn(square);
+        if squares.iter().any(|square| *square > most) {
+            for (k, square) in squares.into_iter().enumerate() {
+                if square > most {
+                    (most, longest) = (square, both.map(|sums| sums[k]));
+                }
+            }
+        }
+        before = both.map(|sums| sums[ABREAST - 1]);
+    }
+    let from = wholes * ABREAST;
+    let rest = |values: &[f64], k: usize| 0.5 * dt_s * (values[k] + values[k + 1]);
+    for k in from..samples.saturating_sub(1) {
+        before = [before[0] + rest(along, k), before[1] + rest(across, k)];
+        let square = before[0] * before[0] + before[1] * before[1];
         if square > most {
-            (most, longest) = (square, now);
+            (most, longest) = (square, before);
         }
     }
     f64::hypot(longest[0], longest[1])
