@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::Arc;
 
 use rayon::prelude::*;
 
@@ -154,8 +155,9 @@ pub fn assess<'a>(
     };
     let alternative = study.alternative();
     refuse_outcomes(keep.outcomes.is_some(), alternative.as_ref())?;
-    let mut assessor =
-        Assessor::new(study, total, keep, &wants_to_stop, &watch).beside(alternative.as_ref());
+    let mut assessor = Assessor::new(study, total, keep, &wants_to_stop, &watch)
+        .beside(alternative.as_ref())
+        .with_peaks_of(&inventory.items);
     let mut list = Vec::with_capacity(total);
     let mut ranked: Vec<Urgency> = Vec::new();
     for part in parts {
@@ -222,6 +224,8 @@ pub struct Assessor<'a, 's> {
     other: Option<Context<'s>>,
     /// The worlds, once a part needed them.
     worlds: Option<Worlds<'a>>,
+    /// The floors whose peaks will be asked in every world.
+    peaks_at_ratio: Arc<[f64]>,
 }
 
 /// The results of a part.
@@ -263,6 +267,18 @@ impl<'a: 's, 's> Assessor<'a, 's> {
             alternative: None,
             other: None,
             worlds,
+            peaks_at_ratio: Arc::default(),
+        }
+    }
+
+    /// For a run that states the peaks of the floors of these objects in every world.
+    fn with_peaks_of(self, items: &[Item]) -> Self {
+        let mut levels: Vec<f64> = items.iter().filter_map(|item| item.level_ratio).collect();
+        levels.sort_unstable_by(f64::total_cmp);
+        levels.dedup();
+        Self {
+            peaks_at_ratio: levels.into(),
+            ..self
         }
     }
 
@@ -308,6 +324,7 @@ impl<'a: 's, 's> Assessor<'a, 's> {
             Some(context) => context,
             empty => {
                 let worlds = shake(self.study, self.keep.motions, progress)?;
+                let worlds = worlds.with_peaks_of(Arc::clone(&self.peaks_at_ratio));
                 self.worlds = Some(worlds.at_intensity(1.0));
                 let context = Context::new(self.study, worlds, self.total, self.wants_to_stop);
                 empty.insert(context.watched(self.watch))

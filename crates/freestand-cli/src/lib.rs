@@ -24,7 +24,7 @@ use printer::Printer;
 const MAX_THREADS: usize = 1024;
 
 /// Lets the allocator of glibc keep up to twice as much freed memory as this: a world takes some megabytes and frees them
-/// again, and each page that the system gives back costs as much as calculating it. Freeing one block of this size
+/// again, and to get a page from the system anew takes as long as to calculate what it holds. Freeing one block of this size
 /// raises both thresholds, M_MMAP_THRESHOLD and M_TRIM_THRESHOLD (mallopt(3)).
 fn keep_freed_memory() {
     const BYTES: usize = 8 << 20;

@@ -5,9 +5,9 @@ mod floor;
 
 use std::collections::HashMap;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use freestand::building::{Building, floor_motions, peak_floor_accelerations_m_s2};
+use freestand::building::{Building, floor_motions_and_peaks};
 use freestand::motion::Motion;
 use freestand::synthesis::{QuickMatcher, SynthesisOptions, with_pulse};
 use freestand::worlds::{
@@ -109,6 +109,8 @@ pub struct Worlds<'a> {
     floors: Option<Arc<Mutex<KeptFloors>>>,
     /// The peaks of floors that were made at the intensity of the study.
     peaks: Arc<Mutex<KeptPeaks>>,
+    /// Floors whose peaks are calculated with the first floors of a world, because they will be asked.
+    peaks_at_ratio: Arc<[f64]>,
 }
 
 /// Ground motions by the number of their world, and how often they were drawn again.
@@ -147,13 +149,13 @@ pub struct GroundOfWorld {
 
 /// What shakes a building in a world: the components of the ground, each with the axis that it shakes and long enough
 /// for the vibration to decay.
-struct Shaken {
+struct ShakenBuilding {
     along: (Motion, Building),
     across: Option<(Motion, Building)>,
     tail_s: f64,
 }
 
-impl Shaken {
+impl ShakenBuilding {
     fn new(
         ground: &GroundOfWorld,
         building: &BuildingInput,
@@ -269,7 +271,16 @@ impl<'a> Worlds<'a> {
             on_disk: None,
             floors: None,
             peaks: Arc::default(),
+            peaks_at_ratio: Arc::default(),
         })
+    }
+
+    /// The same worlds, in which [`Worlds::floor_peaks`] of these levels will be asked.
+    pub(crate) fn with_peaks_of(self, levels_ratio: Arc<[f64]>) -> Self {
+        Self {
+            peaks_at_ratio: levels_ratio,
+            ..self
+        }
     }
 
     /// The same worlds, with ground motions that several processes make once.
@@ -308,9 +319,15 @@ impl<'a> Worlds<'a> {
         let is_plain =
             again == Again::default() && building.is_none() && self.intensity_ratio == 1.0;
         let make = || -> Result<Vec<Arc<FloorOfWorld>>, Problems> {
-            let made = self.floors_of_world(world, levels_ratio, again, building)?;
+            let others = match is_plain {
+                true => self.without_peaks(world, &self.peaks_at_ratio, levels_ratio),
+                false => Vec::new(),
+            };
+            let (made, peaks) = self.made(world, (levels_ratio, &others), again, building)?;
             if is_plain {
-                self.keep_peaks(world, levels_ratio, &made);
+                let of_made = made.iter().map(|floor| HorizontalPeaks::of(&floor.motion));
+                let levels = levels_ratio.iter().chain(&others);
+                self.keep_peaks(world, levels.copied().zip(of_made.chain(peaks)));
             }
             Ok(made.into_iter().map(Arc::new).collect())
         };
@@ -337,19 +354,30 @@ impl<'a> Worlds<'a> {
         Ok(made)
     }
 
-    fn keep_peaks(&self, world: u32, levels_ratio: &[f64], floors: &[FloorOfWorld]) {
-        let made = levels_ratio.iter().zip(floors).map(|(level_ratio, floor)| {
-            let key = (world, level_ratio.to_bits());
-            (key, HorizontalPeaks::of(&floor.motion))
-        });
-        let made: Vec<_> = made.collect();
-        let mut peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
-        let room = MAX_PEAKS.saturating_sub(peaks.len());
-        peaks.extend(made.into_iter().take(room));
+    fn known_peaks(&self) -> MutexGuard<'_, KeptPeaks> {
+        self.peaks.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The peaks of some floors in one world at the intensity of the study; only floors that are not known yet are
-    /// made.
+    fn keep_peaks(&self, world: u32, made: impl Iterator<Item = (f64, HorizontalPeaks)>) {
+        let made: Vec<_> = made
+            .map(|(level_ratio, peaks)| ((world, level_ratio.to_bits()), peaks))
+            .collect();
+        let mut known = self.known_peaks();
+        let room = MAX_PEAKS.saturating_sub(known.len());
+        known.extend(made.into_iter().take(room));
+    }
+
+    /// Those of the levels that have no known peaks in a world, without `others`.
+    fn without_peaks(&self, world: u32, levels_ratio: &[f64], others: &[f64]) -> Vec<f64> {
+        let known = self.known_peaks();
+        let is_unknown = |level_ratio: &&f64| {
+            !known.contains_key(&(world, level_ratio.to_bits())) && !others.contains(level_ratio)
+        };
+        levels_ratio.iter().filter(is_unknown).copied().collect()
+    }
+
+    /// The peaks of some floors in one world at the intensity of the study; only those that are not known yet are
+    /// calculated.
     ///
     /// # Errors
     /// A motion that cannot be generated.
@@ -358,63 +386,26 @@ impl<'a> Worlds<'a> {
         world: u32,
         levels_ratio: &[f64],
     ) -> Result<Vec<HorizontalPeaks>, Problems> {
-        let known: Vec<Option<HorizontalPeaks>> = {
-            let peaks = self.peaks.lock().unwrap_or_else(PoisonError::into_inner);
-            let of = |level_ratio: &f64| peaks.get(&(world, level_ratio.to_bits())).copied();
-            levels_ratio.iter().map(of).collect()
+        let unknown = self.without_peaks(world, levels_ratio, &[]);
+        let peaks = match unknown.is_empty() {
+            true => Vec::new(),
+            false => {
+                let worlds = self.at_intensity(1.0);
+                worlds
+                    .made(world, (&[], &unknown), Again::default(), None)?
+                    .1
+            }
         };
-        let both = levels_ratio.iter().zip(&known);
-        let unknown: Vec<f64> = both
-            .filter(|(_, known)| known.is_none())
-            .map(|(level_ratio, _)| *level_ratio)
-            .collect();
-        let mut made = self.peaks_of_world(world, &unknown)?.into_iter();
-        Ok(known
-            .iter()
-            .filter_map(|known| known.or_else(|| made.next()))
-            .collect())
-    }
-
-    /// Without the histories of the floors of a building, which take longer than their peaks.
-    fn peaks_of_world(
-        &self,
-        world: u32,
-        levels_ratio: &[f64],
-    ) -> Result<Vec<HorizontalPeaks>, Problems> {
-        if levels_ratio.is_empty() {
-            return Ok(Vec::new());
-        }
-        let ground = self.ground(world, 0)?;
-        let (Some(modes), Some(ground)) = (&self.study.building, ground) else {
-            let floors = self.at_intensity(1.0).floors_of_world(
-                world,
-                levels_ratio,
-                Again::default(),
-                None,
-            )?;
-            let peaks = floors
-                .iter()
-                .map(|floor| HorizontalPeaks::of(&floor.motion));
-            return Ok(peaks.collect());
+        let made = |level_ratio: &f64| {
+            let place = unknown.iter().position(|level| level == level_ratio)?;
+            peaks.get(place).copied()
         };
-        let shaken = Shaken::new(&ground, modes, self.building_draw(world, Again::default()))?;
-        let peaks = |(motion, axis): &(Motion, Building)| {
-            peak_floor_accelerations_m_s2(motion, axis, levels_ratio)
-                .map_err(failed("a floor motion"))
+        let known = self.known_peaks();
+        let of = |level_ratio: &f64| {
+            let known = known.get(&(world, level_ratio.to_bits())).copied();
+            known.or_else(|| made(level_ratio))
         };
-        let mut across = shaken
-            .across
-            .as_ref()
-            .map(peaks)
-            .transpose()?
-            .map(Vec::into_iter);
-        let both = peaks(&shaken.along)?
-            .into_iter()
-            .map(|along_m_s2| HorizontalPeaks {
-                along_m_s2,
-                across_m_s2: across.as_mut().and_then(Iterator::next),
-            });
-        Ok(both.collect())
+        Ok(levels_ratio.iter().filter_map(of).collect())
     }
 
     /// The motions that the worlds use in turn; `None`: each world has its own.
@@ -470,6 +461,7 @@ impl<'a> Worlds<'a> {
             on_disk: self.on_disk.clone(),
             floors: self.floors.clone(),
             peaks: Arc::clone(&self.peaks),
+            peaks_at_ratio: Arc::clone(&self.peaks_at_ratio),
         }
     }
 
@@ -746,6 +738,18 @@ impl<'a> Worlds<'a> {
         again: Again,
         building: Option<BuildingDraw>,
     ) -> Result<Vec<FloorOfWorld>, Problems> {
+        let (floors, _) = self.made(world, (levels_ratio, &[]), again, building)?;
+        Ok(floors)
+    }
+
+    /// The motions of some floors in one world, and the peaks of others at the intensity of the study.
+    fn made(
+        &self,
+        world: u32,
+        (levels_ratio, peaks_at_ratio): (&[f64], &[f64]),
+        again: Again,
+        building: Option<BuildingDraw>,
+    ) -> Result<(Vec<FloorOfWorld>, Vec<HorizontalPeaks>), Problems> {
         let nothing = || {
             Problem::new(
                 ProblemKind::Computation,
@@ -753,31 +757,40 @@ impl<'a> Worlds<'a> {
             )
         };
         let Some(modes) = &self.study.building else {
-            let given = |&level_ratio: &f64| {
+            let given = |level_ratio: f64| -> Result<HorizontalMotion, Problems> {
                 let given = self.given(level_ratio).ok_or_else(nothing)?;
-                let motion = given
-                    .get(self.in_turn(world, again.motion, given.len()))
-                    .ok_or_else(nothing)?;
-                Ok(FloorOfWorld::new(self.scaled(motion.as_used())?, None))
+                let motion = given.get(self.in_turn(world, again.motion, given.len()));
+                Ok(motion.ok_or_else(nothing)?.as_used())
             };
-            return levels_ratio.iter().map(given).collect();
+            let floor = |&level_ratio: &f64| -> Result<FloorOfWorld, Problems> {
+                Ok(FloorOfWorld::new(self.scaled(given(level_ratio)?)?, None))
+            };
+            let peaks =
+                |&level_ratio: &f64| given(level_ratio).map(|motion| HorizontalPeaks::of(&motion));
+            let floors: Result<Vec<_>, Problems> = levels_ratio.iter().map(floor).collect();
+            let peaks: Result<Vec<_>, Problems> = peaks_at_ratio.iter().map(peaks).collect();
+            return Ok((floors?, peaks?));
         };
         let ground = self.ground(world, again.motion)?.ok_or_else(nothing)?;
         let draw = building.unwrap_or_else(|| self.building_draw(world, again));
-        let shaken = Shaken::new(&ground, modes, draw)?;
-        let floors = |(motion, axis): &(Motion, Building)| {
-            floor_motions(motion, axis, levels_ratio).map_err(failed("a floor motion"))
+        let shaken = ShakenBuilding::new(&ground, modes, draw)?;
+        let shake = |(motion, axis): &(Motion, Building)| {
+            floor_motions_and_peaks(motion, axis, levels_ratio, peaks_at_ratio)
+                .map_err(failed("a floor motion"))
         };
-        let mut second = shaken
-            .across
-            .as_ref()
-            .map(floors)
-            .transpose()?
-            .map(Vec::into_iter);
-        let first = floors(&shaken.along)?.into_iter();
-        let both = first.map(|along| HorizontalMotion {
+        let (along, peaks_along) = shake(&shaken.along)?;
+        let across = shaken.across.as_ref().map(shake).transpose()?;
+        let (mut across, mut peaks_across) = match across {
+            Some((floors, peaks)) => (Some(floors.into_iter()), Some(peaks.into_iter())),
+            None => (None, None),
+        };
+        let both = along.into_iter().map(|along| HorizontalMotion {
             along,
-            across: second.as_mut().and_then(Iterator::next),
+            across: across.as_mut().and_then(Iterator::next),
+        });
+        let peaks = peaks_along.into_iter().map(|along_m_s2| HorizontalPeaks {
+            along_m_s2,
+            across_m_s2: peaks_across.as_mut().and_then(Iterator::next),
         });
         let vertical = |level_ratio: f64| -> Result<Option<Motion>, Problems> {
             let Some(vertical) = &ground.vertical else {
@@ -801,7 +814,9 @@ impl<'a> Worlds<'a> {
                 vertical(level_ratio)?,
             ))
         };
-        both.zip(levels_ratio).map(floor).collect()
+        let floors: Result<Vec<FloorOfWorld>, Problems> =
+            both.zip(levels_ratio).map(floor).collect();
+        Ok((floors?, peaks.collect()))
     }
 
     /// The motions that the study gives for a level.

@@ -24,6 +24,8 @@ fn peaks_are_those_of_the_floors_to_the_bit() {
     for text in texts {
         let study = resolve(&format!("{ground}{text}"), None, "".as_ref()).unwrap();
         let worlds = Worlds::new(&study, || Ok(())).unwrap();
+        let asked = Worlds::new(&study, || Ok(())).unwrap();
+        let asked = asked.with_peaks_of(levels_ratio.into());
         for world in 0..3 {
             let floors = worlds
                 .floors_of_world(world, &levels_ratio, Again::default(), None)
@@ -38,6 +40,11 @@ fn peaks_are_those_of_the_floors_to_the_bit() {
             worlds.floor(world, levels_ratio[1]).unwrap();
             let mixed = worlds.floor_peaks(world, &levels_ratio).unwrap();
             assert_eq!(peaks_of(&mixed), peaks_of(&expected), "{text} {world}");
+            // The others were calculated with it.
+            asked.floor(world, levels_ratio[1]).unwrap();
+            assert!(asked.without_peaks(world, &levels_ratio, &[]).is_empty());
+            let beside = asked.floor_peaks(world, &levels_ratio).unwrap();
+            assert_eq!(peaks_of(&beside), peaks_of(&expected), "{text} {world}");
         }
     }
 }

@@ -26,8 +26,8 @@ pub fn floor_motion(
     building: &Building,
     level_ratio: f64,
 ) -> Result<Motion, BuildingError> {
-    let accel_m_s2 = floor_accelerations(ground, building, &[level_ratio])?.swap_remove(0);
-    Ok(Motion::new(ground.dt_s(), accel_m_s2)?)
+    let (mut floors, _) = floor_motions_and_peaks(ground, building, &[level_ratio], &[])?;
+    Ok(floors.swap_remove(0))
 }
 
 /// Absolute accelerations of several floors of a building that is at rest at t = 0, in the order of
@@ -58,27 +58,49 @@ pub fn floor_motions(
     building: &Building,
     levels_ratio: &[f64],
 ) -> Result<Vec<Motion>, BuildingError> {
-    floor_accelerations(ground, building, levels_ratio)?
-        .into_iter()
-        .map(|accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?))
-        .collect()
+    floor_motions_and_peaks(ground, building, levels_ratio, &[]).map(|(floors, _)| floors)
 }
 
-fn floor_accelerations(
+/// The [`floor_motions`] of some levels, and of others the peak accelerations \[m/s²\] alone: those of their motions, to
+/// the bit, at half the cost.
+///
+/// # Errors
+/// A level outside 0 to 1, or samples or peaks that overflow.
+///
+/// # Example
+/// ```
+/// use freestand::{building::{Building, floor_motions_and_peaks}, motion::Motion};
+/// let ground = Motion::new(0.02, vec![0.3, -1.0, 0.7])?;
+/// let building = Building::beam(1.92, 0.05, 5.0, 10)?;
+/// let (floors, peaks_m_s2) = floor_motions_and_peaks(&ground, &building, &[1.0], &[0.0, 1.0])?;
+/// assert_eq!(peaks_m_s2, [1.0, floors[0].peak_m_s2()]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn floor_motions_and_peaks(
     ground: &Motion,
     building: &Building,
     levels_ratio: &[f64],
-) -> Result<Vec<Vec<f64>>, BuildingError> {
+    peaks_at_ratio: &[f64],
+) -> Result<(Vec<Motion>, Vec<f64>), BuildingError> {
     let levels = shares(building, levels_ratio)?;
+    let of_peaks = shares(building, peaks_at_ratio)?;
     let samples = ground.accel_m_s2().len();
     let mut floors: Vec<Vec<f64>> = levels.iter().map(|_| Vec::with_capacity(samples)).collect();
+    let mut peaks_m_s2 = vec![0.0; of_peaks.len()];
     let mut sums = Sums::default();
     follow::<false>(ground, building, |block| {
+        let modes = &block.absolute_m_s2;
         for (floor, level) in floors.iter_mut().zip(&levels) {
-            floor.extend_from_slice(sums.of(block, level.residual, level, &block.absolute_m_s2));
+            floor.extend_from_slice(sums.of(block, level.residual, level, modes));
+        }
+        for (peak, level) in peaks_m_s2.iter_mut().zip(&of_peaks) {
+            raise(peak, sums.of(block, level.residual, level, modes));
         }
     })?;
-    Ok(floors)
+    check_finite(peaks_m_s2.iter().copied())?;
+    let motion = |accel_m_s2| Ok(Motion::new(ground.dt_s(), accel_m_s2)?);
+    let floors: Result<Vec<Motion>, BuildingError> = floors.into_iter().map(motion).collect();
+    Ok((floors?, peaks_m_s2))
 }
 
 /// Peak responses of one level, at the samples.
@@ -155,39 +177,6 @@ pub fn floor_peaks(
     Ok(peaks)
 }
 
-/// Peak acceleration of each level: that of [`floor_motions`], to the bit, without storing their histories \[m/s²\].
-///
-/// # Errors
-/// A level outside 0 to 1, or peaks that overflow.
-///
-/// # Example
-/// ```
-/// use freestand::{building::{Building, peak_floor_accelerations_m_s2}, motion::Motion};
-/// let ground = Motion::new(0.02, vec![0.3, -1.0, 0.7])?;
-/// let building = Building::beam(1.92, 0.05, 5.0, 10)?;
-/// assert_eq!(peak_floor_accelerations_m_s2(&ground, &building, &[0.0])?, [1.0]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn peak_floor_accelerations_m_s2(
-    ground: &Motion,
-    building: &Building,
-    levels_ratio: &[f64],
-) -> Result<Vec<f64>, BuildingError> {
-    let levels = shares(building, levels_ratio)?;
-    let mut peaks = vec![0.0; levels.len()];
-    let mut sums = Sums::default();
-    follow::<false>(ground, building, |block| {
-        for (peak, level) in peaks.iter_mut().zip(&levels) {
-            raise(
-                peak,
-                sums.of(block, level.residual, level, &block.absolute_m_s2),
-            );
-        }
-    })?;
-    check_finite(peaks.iter().copied())?;
-    Ok(peaks)
-}
-
 fn check_finite(peaks: impl IntoIterator<Item = f64>) -> Result<(), BuildingError> {
     match peaks.into_iter().find(|peak| !peak.is_finite()) {
         Some(value) => Err(crate::motion::MotionError::NotFinite { index: 0, value }.into()),
@@ -202,7 +191,7 @@ struct Shares {
     modes: Vec<f64>,
 }
 
-/// Those of each level.
+/// The shares of each level.
 fn shares(building: &Building, levels_ratio: &[f64]) -> Result<Vec<Shares>, BuildingError> {
     levels_ratio
         .iter()
@@ -243,7 +232,7 @@ const RUNS: usize = 8;
 struct Block {
     samples: usize,
     ground_m_s2: Column<BLOCK>,
-    /// The runs of all modes, then the next ones.
+    /// First the first run of every mode, then the second of every mode.
     absolute_m_s2: Vec<Run>,
     /// Empty where nobody reads it.
     displacement_m: Vec<Run>,
@@ -376,8 +365,8 @@ fn follow<const DISPLACED: bool>(
                 displacement_m: displacement_m.get_mut(rests..).unwrap_or_default(),
             });
             let lanes = place * LANES..steps.len().min((place + 1) * LANES);
-            turn(&absolute_m_s2, &mut block.absolute_m_s2, lanes.clone());
-            turn(&displacement_m, &mut block.displacement_m, lanes);
+            transpose(&absolute_m_s2, &mut block.absolute_m_s2, lanes.clone());
+            transpose(&displacement_m, &mut block.displacement_m, lanes);
         }
         each(&block);
     }
@@ -407,8 +396,8 @@ impl pulp::WithSimd for Advance<'_> {
     }
 }
 
-/// From the lanes of each sample to the runs of each mode, of which these are the modes of the lanes.
-fn turn(samples: &[Lanes], runs: &mut [Run], modes: Range<usize>) {
+/// From lanes of samples to runs of modes; `modes` are those of the lanes.
+fn transpose(samples: &[Lanes], runs: &mut [Run], modes: Range<usize>) {
     let each = runs.len() / RUNS;
     let (samples, _) = samples.as_chunks::<SUMMED>();
     for (place, samples) in samples.iter().enumerate() {

@@ -13,9 +13,7 @@ mod table;
 
 pub use beam::BeamShape;
 pub use damping::{Damping, Rayleigh};
-pub use floors::{
-    FloorPeaks, floor_motion, floor_motions, floor_peaks, peak_floor_accelerations_m_s2,
-};
+pub use floors::{FloorPeaks, floor_motion, floor_motions, floor_motions_and_peaks, floor_peaks};
 pub use storeys::{MAX_STOREYS, Storey};
 pub use table::{ModalDoubt, TableMode};
 

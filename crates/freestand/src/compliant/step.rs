@@ -175,7 +175,7 @@ impl<const N: usize> Step<N> {
         }
     }
 
-    /// From now on only the first entries and `others` change; the rates of all others are zero.
+    /// From now on only the first `first` entries and `others` change; the rates of all others are zero.
     pub(crate) fn change_only(&mut self, first: usize, others: impl Iterator<Item = usize>) {
         let before = self.changing;
         for (block, changing) in self.changing.iter_mut().enumerate() {
@@ -284,9 +284,8 @@ impl<const N: usize> Step<N> {
 
     /// The state at a share of the step, without a copy of what is not in use.
     pub(crate) fn look(&mut self, share: f64) -> &[f64; N] {
-        let (rest, length_s, last_rates) = (1.0 - share, self.length_s, self.evaluations());
-        let [first_rates, .., _] = &self.slopes;
-        let last_rates = &self.slopes[last_rates];
+        let length_s = self.length_s;
+        let (first_rates, last_rates) = (&self.slopes[0], &self.slopes[self.evaluations()]);
         for at in (0..self.len).step_by(BLOCK) {
             let entries = at..(at + BLOCK).min(self.len);
             let (start, end) = (&self.start[entries.clone()], &self.end[entries.clone()]);
@@ -300,10 +299,12 @@ impl<const N: usize> Step<N> {
                 .zip(&last_rates[entries.clone()]);
             let others = end.iter().zip(rates).zip(&self.last[entries]);
             for (value, ((end, (first, last)), bow)) in inner.iter_mut().zip(others) {
-                let change = end - *value;
-                let bend = length_s * first - change;
-                let twist = change - length_s * last - bend;
-                *value += share * (change + rest * (bend + share * (twist + rest * bow)));
+                *value = inside(
+                    share,
+                    [*value, *end],
+                    [length_s * first, length_s * last],
+                    *bow,
+                );
             }
         }
         &self.inner
@@ -317,12 +318,19 @@ impl<const N: usize> Step<N> {
 
     #[inline(always)]
     fn entry(&self, i: usize, share: f64) -> f64 {
-        let rest = 1.0 - share;
-        let change = self.end[i] - self.start[i];
-        let bend = self.length_s * self.slopes[0][i] - change;
-        let twist = change - self.length_s * self.end_rates()[i] - bend;
-        self.start[i] + share * (change + rest * (bend + share * (twist + rest * self.last[i])))
+        let changes = [self.slopes[0][i], self.end_rates()[i]].map(|rate| self.length_s * rate);
+        inside(share, [self.start[i], self.end[i]], changes, self.last[i])
     }
+}
+
+/// A value at a share of a step from those at its ends, from what it would change by at the rates of both ends, and from the last
+/// coefficient of the polynomial.
+#[inline(always)]
+fn inside(share: f64, [start, end]: [f64; 2], [first, last]: [f64; 2], bow: f64) -> f64 {
+    let (rest, change) = (1.0 - share, end - start);
+    let bend = first - change;
+    let twist = change - last - bend;
+    start + share * (change + rest * (bend + share * (twist + rest * bow)))
 }
 
 /// Entries that are summed at once.

@@ -138,7 +138,9 @@ pub(crate) fn next<const N: usize>(
         let share = trial
             .near
             .map_or(share, |near| nearer(step, share, near, margin));
-        let length_s = share * step.length_s;
+        // Never so short that rounding decides.
+        let shortest_s = SHORTEST_RAD * trial.unit_s;
+        let length_s = (share * step.length_s).max(shortest_s).min(step.length_s);
         shortened(step, length_s, trial, take, margin, effort);
     }
     Ok(Found {

@@ -214,7 +214,7 @@ pub fn longest(along: &[f64], across: &[f64]) -> f64 {
 /// assert_eq!(longest_integral(1.0, &[0.0, 6.0, -6.0], &[0.0, 8.0, -8.0]), 5.0);
 /// ```
 pub fn longest_integral(dt_s: f64, along: &[f64], across: &[f64]) -> f64 {
-    /// Intervals whose integrals are begun from nothing, so that only one sum in so many waits for that before it.
+    /// Intervals that are summed from zero, so that only one addition in four waits for the one before.
     const ABREAST: usize = 4;
     let (mut before, mut longest, mut most) = ([0.0; 2], [0.0; 2], 0.0);
     let samples = along.len().min(across.len());

@@ -232,6 +232,30 @@ fn a_quick_bank_takes_a_fifth_of_the_steps_and_misses_little() {
     assert!(mean.abs() < 0.002, "{mean}");
 }
 
+/// Quiet before, which is left out, and after, where vibration decays. The number of samples before is one of whole samples of
+/// the most thinned group, so that the others do not shift.
+#[test]
+fn a_quick_bank_does_not_see_quiet() {
+    let periods_s: Vec<f64> = (0..121)
+        .map(|i| 0.05 * 100_f64.powf(f64::from(i) / 120.0))
+        .collect();
+    let quick = DisplacementBank::quick(&periods_s, 0.05, 0.005).unwrap();
+    // A push, after which oscillators of long periods go on.
+    let shaking = (1..100).map(|k| (std::f64::consts::PI * f64::from(k) / 100.0).sin());
+    let quiet = |samples: usize| std::iter::repeat_n(0.0, samples);
+    let alone: Vec<f64> = quiet(160)
+        .chain(shaking.clone())
+        .chain(quiet(2000))
+        .collect();
+    let within: Vec<f64> = quiet(960).chain(shaking).chain(quiet(5000)).collect();
+    assert_eq!(quick.peaks_m(&alone), quick.peaks_m(&within));
+    // All of it counts: without the quiet after it, long periods have not had their peaks.
+    let cut = quick.peaks_m(&alone[..259]);
+    let both = || cut.iter().zip(quick.peaks_m(&alone));
+    assert!(both().all(|(cut, whole)| *cut <= whole) && both().any(|(cut, whole)| *cut < whole));
+    assert_eq!(quick.peaks_m(&[0.0; 40]), [0.0; 121]);
+}
+
 #[test]
 fn an_oscillator_starts_at_rest_under_a_motion_that_starts_with_a_jump() {
     let motion = Motion::new(DT_S, vec![2.0; 2]).unwrap();

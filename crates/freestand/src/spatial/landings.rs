@@ -111,8 +111,11 @@ impl Landings {
         let mut inner: Option<[Flat; 3]> = None;
         let mut highest: Option<(usize, [f64; 5], f64)> = None;
         let grips = seen.grips.each();
-        let is_worth_a_look = may_be_deepest || may_be_hardest;
-        for &(index, point) in self.points.iter().take_while(|_| is_worth_a_look) {
+        let looked_at = match may_be_deepest || may_be_hardest {
+            true => &self.points[..],
+            false => &[],
+        };
+        for &(index, point) in looked_at {
             if !grips[index].carries() {
                 continue;
             }

@@ -15,7 +15,7 @@ use crate::motion::Motion;
 use crate::rocking::LONGEST_TAIL_S;
 
 /// The error of a step is a mean over the entries of the state; many of them hardly move. With this
-/// share of the tolerance half of the energy balances stay open by less than a third of it at `fast` (benches/README.md).
+/// share of the tolerance half of the energy balances stay open by less than a third of the tolerance at `fast` (benches/README.md).
 const SHARE: f64 = 0.3;
 
 /// How near to an event the interpolating polynomial is searched, and how far past it a step may
@@ -28,7 +28,7 @@ const PAST: f64 = 10.0;
 /// limits a step in which one of them is visible is its error, a third of a radian at `fast`.
 const LONGEST_RAD: f64 = 1.25;
 
-/// Of a body whose axis has more than this vertical part at both ends of a step, none overturns within.
+/// A body whose axis has a larger vertical part than this at both ends of a step does not overturn within it.
 const UPRIGHT: f64 = 0.1;
 
 /// The error of the direction of a spring that slips counts with its force at the end of the step as a share of the weight,

@@ -149,7 +149,7 @@ mod tests {
             let mut found = accel.clone();
             filter.apply(&mut found, gain);
             for (n, found) in found.iter().enumerate() {
-                // Up to 24 terms of at most 4 × 17, and back.
+                // Up to 17 bins of 17 samples of at most 4, and back.
                 assert!(
                     (found - filtered(n)).abs() < 1e-13,
                     "{samples} {n}: {found}"

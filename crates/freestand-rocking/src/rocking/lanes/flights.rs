@@ -82,8 +82,8 @@ struct Columns {
 pub(super) struct Flown {
     pub(super) flyer: Flyer,
     pub(super) impacts: usize,
-    /// The speed after the last impact, and the part of the step that has then passed; zero at the end
-    /// of the step if the block comes to rest before it.
+    /// The speed after the last impact, and the part of the step that has then passed; 0 and 1 if the
+    /// block comes to rest in the step.
     pub(super) w: f64,
     pub(super) tau: f64,
     /// Largest speeds of impacts so far, about the first edge and about the other one.

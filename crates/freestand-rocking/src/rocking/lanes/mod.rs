@@ -4,7 +4,7 @@
 //! which is a sample interval or a part of it. Moving blocks occupy lanes, sixteen side by side
 //! (`ranks`), and take each step together (`tile`). Each has its own Taylor series, with series of
 //! the sine and the cosine (`series`, `vector`); `degree` contains the code that is compiled for each
-//! degree of the series and each vector unit, and all other code is compiled once. Bounds on the
+//! degree of the series and each vector unit, `flights` and the maxima of `shaking` for each vector unit, and all other code once. Bounds on the
 //! terms of a series show which lanes certainly have no event in the step. The other lanes are
 //! copied to a batch (`batch`), where landings and maxima are roots of the series, and where a block
 //! goes on from an impact to the end of the step if nothing else happens in it. Otherwise it comes to

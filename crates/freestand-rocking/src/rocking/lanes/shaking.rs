@@ -10,7 +10,7 @@ const SPAN: usize = 32;
 #[derive(Debug, Clone)]
 pub(super) struct Shaking<'a> {
     pub(super) dt_s: f64,
-    /// Without a horizontal motion there are none. Not those in g, which most blocks at rest never ask for.
+    /// Empty without a horizontal motion. In m/s²: most blocks at rest never need it in g.
     horizontal_m_s2: &'a [f64],
     per_g: f64,
     /// Of the motion; with the base at rest after it, one more.
@@ -230,7 +230,7 @@ impl Peaks {
         Self { by_span, by_square }
     }
 
-    /// `value` of a sample, of so many.
+    /// The first of `samples` samples, from index `from`, whose `value` is above the threshold.
     fn first_above(
         &self,
         value: impl Fn(usize) -> f64,
@@ -251,5 +251,47 @@ impl Peaks {
             }
         }
         None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Motion;
+
+    /// Lengths around whole spans and squares, with and without rest after them and with vertical motion, against all samples
+    /// one by one; the last sample lifts, and so does rest, where a wall releases a block that leans by its weight.
+    #[test]
+    fn the_first_lift_is_that_of_all_samples() {
+        for samples in [2, 31, 32, 33, 1023, 1024, 1025] {
+            let wave =
+                |k: usize| 3.0 * (0.37 * k as f64).sin() + if k + 1 == samples { 9.0 } else { 0.0 };
+            let horizontal = Motion::new(0.01, (0..samples).map(wave).collect()).unwrap();
+            let vertical = (0..samples).map(|k| (0.2 * k as f64).cos()).collect();
+            let vertical = Motion::new(0.01, vertical).unwrap();
+            for (vertical, and_back) in [(None, false), (None, true), (Some(&vertical), true)] {
+                let base = Base {
+                    horizontal: Some(&horizontal),
+                    vertical,
+                };
+                let shaking = Shaking::new(base, 10.0, and_back).unwrap();
+                assert_eq!(shaking.intervals(), samples - 1 + usize::from(and_back));
+                let lifting = |k: usize| {
+                    let at = |motion: &Motion| motion.accel_m_s2().get(k).map_or(0.0, |a| a * 0.1);
+                    at(&horizontal) / vertical.map_or(1.0, |vertical| 1.0 + at(vertical))
+                };
+                for threshold in [-0.5, -0.01, 0.0, 0.25, 0.5, 2.0] {
+                    for from in [0, 1, samples / 2, samples - 1] {
+                        for edge in [0, 1] {
+                            let sign = [1.0, -1.0][edge];
+                            let expected = (from..=shaking.intervals())
+                                .find(|k| sign * lifting(*k) > threshold);
+                            let found = shaking.first_release(edge, threshold, from);
+                            assert_eq!(found, expected, "{samples} {threshold} {from} {edge}");
+                        }
+                    }
+                }
+            }
+        }
     }
 }

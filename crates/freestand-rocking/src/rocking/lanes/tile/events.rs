@@ -154,16 +154,14 @@ impl Tile<'_> {
             if c.iter().all(|c| c.is_finite()) {
                 self.come_to_rest(step, lane, 1.0);
             } else {
-                self.records[block as usize].state = State::GivenUp;
-                self.moving.leave(lane);
+                self.give_up(lane);
             }
             return;
         };
         let reach: f64 = c[lead + 1..].iter().map(|c| c.abs()).sum();
         let highest = c[lead] + reach;
         if !highest.is_finite() {
-            self.records[block as usize].state = State::GivenUp;
-            self.moving.leave(lane);
+            self.give_up(lane);
             return;
         }
         let impact = if c[lead] > reach {
