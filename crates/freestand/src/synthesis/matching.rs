@@ -184,12 +184,7 @@ impl<'a> Matcher<'a> {
     /// off outside its periods.
     pub(super) fn shape_noise(&mut self, accel: &mut [f64]) {
         let ln_target: Vec<f64> = self.target_m_s2.iter().map(|sa| sa.ln()).collect();
-        let layout = self.layout;
-        self.amplify(accel, |k| {
-            let Bin {
-                frequency_hz,
-                place,
-            } = layout.bins[k];
+        self.amplify_each(accel, |frequency_hz, place| {
             let low = (frequency_hz * LONGEST_PERIOD_S).min(1.0).powi(2);
             let high = 1.0 / (1.0 + (frequency_hz / HIGH_CORNER_HZ).powi(4));
             place.interpolate(&ln_target).exp() / frequency_hz.max(1.0 / LONGEST_PERIOD_S)
@@ -288,18 +283,9 @@ impl<'a> Matcher<'a> {
             Gain::AtPeriod => None,
             Gain::Wavelets(kernel) => Some(kernel.gains(ln_ratios)),
         };
-        let layout = self.layout;
-        self.amplify(accel, |k| {
-            let Bin {
-                frequency_hz,
-                place,
-            } = layout.bins[k];
-            match &gains {
-                None => {
-                    (-place.interpolate(ln_ratios)).exp() * (frequency_hz / LOW_CUT_HZ).min(1.0)
-                }
-                Some(gains) => gains.at(frequency_hz),
-            }
+        self.amplify_each(accel, |frequency_hz, place| match &gains {
+            None => (-place.interpolate(ln_ratios)).exp() * (frequency_hz / LOW_CUT_HZ).min(1.0),
+            Some(gains) => gains.at(frequency_hz),
         });
     }
 
@@ -355,6 +341,12 @@ impl<'a> Matcher<'a> {
         psa.zip(&self.target_m_s2)
             .map(|(psa, target)| (psa / target).ln())
             .collect()
+    }
+
+    /// [`Matcher::amplify`] by a gain of the frequency of a bin and its place among the matched periods.
+    fn amplify_each(&mut self, accel: &mut [f64], gain: impl Fn(f64, Place) -> f64) {
+        let bins = &self.layout.bins;
+        self.amplify(accel, |k| gain(bins[k].frequency_hz, bins[k].place));
     }
 
     /// Multiplies the Fourier amplitudes of bins by their gains, drops the mean, tapers the ends
