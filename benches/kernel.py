@@ -1,16 +1,14 @@
-"""Compares `freestand spectrum` on one thread with a loop in C and Python peers, on the same blocks and motion.
+"""Compares the kernel for many blocks on one thread with a loop in C and Python peers, on the same blocks and motion.
 
-    cargo build --release
+    cargo build --release -p freestand-benches --example kernel
     python3 -m venv ../peers && ../peers/bin/pip install numpy scipy numba "jax[cpu]"
-    ../peers/bin/python benches/kernel.py [target/release/freestand]
+    ../peers/bin/python benches/kernel.py [target/release/examples/kernel]
 
-Needs numpy and a C compiler; peers whose library cannot be imported are left out. The time of freestand is the one that
-it reports (`timing.solve_s`: all blocks, without reading and printing); the others are timed over the same part.
-freestand and the C loop take turns, and the best of REPEATS counts, so that other work on the machine affects both equally. For
-the other peers, the best of REPEATS_OF_PEERS counts.
+Needs numpy and a C compiler; peers whose library cannot be imported are left out. All of them end at the last sample, and
+time the solution of all blocks, without reading and printing. The kernel and the C loop take turns, and the best of REPEATS counts,
+so that other work on the machine affects both equally. For the other peers, the best of REPEATS_OF_PEERS counts.
 """
 
-import json
 import subprocess
 import sys
 import tempfile
@@ -24,24 +22,12 @@ from case import chosen
 HERE = Path(__file__).resolve().parent
 RECORD, SCALE = HERE.parent / "validation/rocking/records/bench4000.csv", 0.5
 REPEATS, REPEATS_OF_PEERS = 7, 3
-GRIDS = [("0.3 m:4 m:64", "0.1 m:1 m:64"), ("4 m:20 m:64", "0.4 m:0.8 m:64")]
+# The smallest and the largest height and thickness [m], in 64 steps each.
+GRIDS = [((0.3, 4), (0.1, 1)), ((4, 20), (0.4, 0.8))]
 LEVELS = ["fast", "standard", "tight"]
 # Peers in Python, and the number of blocks that each solves: all, or a sample for the slow one.
 PEERS = [("rk4_numba", None), ("rk4_jax", None), ("events_scipy", 64)]
 OVERTURNED = np.pi / 2
-
-
-def freestand(binary, grid, level, scale):
-    command = [binary, "spectrum", "--motion", RECORD, "--scale", repr(scale), "--heights", grid[0], "--thicknesses"]
-    command += [grid[1], "--accuracy", level, "--threads", "1", "--json", "--quiet"]
-    done = subprocess.run(list(map(str, command)), capture_output=True, text=True)
-    if done.returncode:
-        sys.exit(done.stderr)
-    return json.loads(done.stdout)
-
-
-def peaks(report):
-    return np.array([row["peak_rotation_rad"] for row in report["rows"]])
 
 
 def peer(command, scale_up=1):
@@ -68,34 +54,38 @@ def line(name, ns, own_ns, found, exact, insensitive):
     print(f"| {name} | {ns:.2f} | {ns / own_ns:.2f} | {median:.1e} | {most:.1e} | {apart} |", flush=True)
 
 
+def write_case(path, motion, blocks):
+    numbers = [f"0.005 9.80665 {len(motion)} {len(blocks)}", *map(repr, motion)]
+    path.write_text("\n".join([*numbers, *(f"{h!r} {t!r}" for h, t in blocks)]) + "\n")
+
+
 def compare(binary, grid, folder):
-    motion = [float(text) for text in RECORD.read_text().splitlines() if not text.startswith("#")]
-    exact_report = freestand(binary, grid, "tight", SCALE)
-    exact = peaks(exact_report)
+    record = [float(text) for text in RECORD.read_text().splitlines() if not text.startswith("#")]
+    sides = [np.linspace(*ends, 64).tolist() for ends in grid]
+    blocks = [(h, t) for h in sides[0] for t in sides[1]]
+    case, larger = folder / "case.txt", folder / "larger.txt"
+    write_case(case, [SCALE * a for a in record], blocks)
     # A motion that is larger by 1e-6 changes a block that is not sensitive by less than 1e-5 (validation/rocking).
-    other = peaks(freestand(binary, grid, "tight", SCALE * (1 + 1e-6)))
-    insensitive = (outcomes(other) == outcomes(exact)) & (np.abs(other - exact) <= 1e-5 * exact)
-
-    blocks = [(row["height_m"], row["thickness_m"]) for row in exact_report["rows"]]
-    case = folder / "case.txt"
-    numbers = [f"0.005 9.80665 {len(motion)} {len(blocks)}", *(repr(SCALE * a) for a in motion)]
-    case.write_text("\n".join([*numbers, *(f"{h!r} {t!r}" for h, t in blocks)]) + "\n")
-    steps = exact_report["timing"]["block_steps"]
-
+    write_case(larger, [SCALE * (1 + 1e-6) * a for a in record], blocks)
     loop, own = [], {level: [] for level in LEVELS}
     for _ in range(REPEATS):
         loop.append(peer([folder / "rk4", case]))
         for level in LEVELS:
-            own[level].append(freestand(binary, grid, level, SCALE))
+            own[level].append(peer([binary, case, level]))
+    exact, other = own["tight"][0][1], peer([binary, larger, "tight"])[1]
+    insensitive = (outcomes(other) == outcomes(exact)) & (np.abs(other - exact) <= 1e-5 * exact)
+
+    steps = len(blocks) * (len(record) - 1)
     c_s, c_peaks, moving = min(loop, key=lambda one: one[0])
     c_ns = 1e9 * c_s / steps
-    print(f"\n{grid[0]} by {grid[1]}, × {SCALE}: {len(blocks)} blocks, {steps} block-steps, {moving[0]:.0%} moving;", end=" ")
+    name = " by ".join(f"{low:g}–{high:g} m" for low, high in grid)
+    print(f"\n{name}, × {SCALE}: {len(blocks)} blocks, {steps} block-steps, {moving[0]:.0%} moving;", end=" ")
     print(f"{(outcomes(exact) == 1).sum()} rocked, {(outcomes(exact) == 2).sum()} overturned, {(~insensitive).sum()} sensitive\n")
     print("| solver | ns per block-step | relative to the C loop | error, median | error, 99 % | different outcomes |")
     print("|---|---|---|---|---|---|")
-    for level, reports in own.items():
-        ns = 1e9 * min(report["timing"]["solve_s"] for report in reports) / steps
-        line(f"freestand, {level}", ns, c_ns, peaks(reports[0]), exact, insensitive)
+    for level, found in own.items():
+        seconds, peaks, _ = min(found, key=lambda one: one[0])
+        line(f"freestand, {level}", 1e9 * seconds / steps, c_ns, peaks, exact, insensitive)
     line("RK4 in C", c_ns, c_ns, c_peaks, exact, insensitive)
     for name, sample in PEERS:
         some = np.arange(len(blocks)) if sample is None else chosen(len(blocks), sample)
@@ -110,7 +100,7 @@ def compare(binary, grid, folder):
 
 
 def main():
-    binary = sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "target/release/freestand"
+    binary = sys.argv[1] if len(sys.argv) > 1 else HERE.parent / "target/release/examples/kernel"
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         source = HERE / "peers/rk4.c"

@@ -13,7 +13,7 @@ use freestand_study::study::{Ground, Study};
 
 /// Version of the text that is hashed; raise it with every change of that text or of the content of
 /// a part.
-const FORMAT: u32 = 20;
+const FORMAT: u32 = 21;
 
 /// Tables of a study that do not change a part: the settings are hashed as they are used, and the
 /// others have no effect.

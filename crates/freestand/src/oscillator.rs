@@ -498,9 +498,15 @@ impl LaneGroup {
 /// For u/b₂ that is four fused operations.
 #[derive(Debug, Clone)]
 pub(crate) struct DisplacementBank {
-    exact: Vec<RecurrenceGroup<f64, LANES>>,
-    quick: Vec<ThinnedGroup>,
+    groups: Groups,
     count: usize,
+}
+
+/// The oscillators of a bank, in groups that fill a vector.
+#[derive(Debug, Clone)]
+enum Groups {
+    Exact(Vec<RecurrenceGroup<f64, LANES>>),
+    Quick(Vec<ThinnedGroup>),
 }
 
 /// Oscillators that see only some samples, each a mean of its neighbours.
@@ -542,8 +548,7 @@ impl DisplacementBank {
         let steps = steps(periods_s, damping_ratio, dt_s)?;
         let group = |steps: &[_]| RecurrenceGroup::new(steps, |value| value);
         Ok(Self {
-            exact: steps.chunks(LANES).map(group).collect(),
-            quick: Vec::new(),
+            groups: Groups::Exact(steps.chunks(LANES).map(group).collect()),
             count: periods_s.len(),
         })
     }
@@ -582,12 +587,9 @@ impl DisplacementBank {
                 group,
             })
         };
+        let groups = periods_s.chunks(QUICK_LANES).map(group);
         Ok(Self {
-            exact: Vec::new(),
-            quick: periods_s
-                .chunks(QUICK_LANES)
-                .map(group)
-                .collect::<Result<_, _>>()?,
+            groups: Groups::Quick(groups.collect::<Result<_, _>>()?),
             count: periods_s.len(),
         })
     }
@@ -595,19 +597,18 @@ impl DisplacementBank {
     /// max|u| of every oscillator, from rest at t = 0 \[m\].
     pub(crate) fn peaks_m(&self, accel_m_s2: &[f64]) -> Vec<f64> {
         let widest = pulp::Arch::new();
-        let exact = self
-            .exact
-            .iter()
-            .flat_map(|group| widest.dispatch(Shaken { group, accel_m_s2 }));
-        let mut peaks_m: Vec<f64> = match self.quick.is_empty() {
-            true => exact.collect(),
-            false => self.quick_peaks_m(accel_m_s2),
+        let mut peaks_m: Vec<f64> = match &self.groups {
+            Groups::Exact(groups) => groups
+                .iter()
+                .flat_map(|group| widest.dispatch(Shaken { group, accel_m_s2 }))
+                .collect(),
+            Groups::Quick(groups) => Self::quick_peaks_m(groups, accel_m_s2),
         };
         peaks_m.truncate(self.count);
         peaks_m
     }
 
-    fn quick_peaks_m(&self, accel_m_s2: &[f64]) -> Vec<f64> {
+    fn quick_peaks_m(groups: &[ThinnedGroup], accel_m_s2: &[f64]) -> Vec<f64> {
         // Before the shaking nothing moves.
         let quiet = accel_m_s2.iter().take_while(|a| **a == 0.0).count();
         let shaken = accel_m_s2
@@ -615,11 +616,11 @@ impl DisplacementBank {
             .rposition(|a| *a != 0.0)
             .map_or(0, |k| k + 1);
         // More than thinning takes from the start, and whole samples of the most thinned group, which do not shift.
-        let coarsest = self.quick.last().map_or(1, |group| group.every);
+        let coarsest = groups.last().map_or(1, |group| group.every);
         let from = (quiet / coarsest).saturating_sub(4) * coarsest;
         let mut thinned: Vec<f32> = accel_m_s2[from..].iter().map(|a| *a as f32).collect();
         let mut left = 1;
-        let peaks_m = self.quick.iter().flat_map(|group| {
+        let peaks_m = groups.iter().flat_map(|group| {
             let ThinnedGroup {
                 every,
                 decaying,

@@ -153,6 +153,18 @@ impl Edge {
         0.5 * w * w < self.p2 * climb
     }
 
+    /// The velocity with which a block at the rotation y ≤ α and the velocity w lands on a base at rest, where
+    /// energy is conserved: v² = w² + 2p²(cos(α−y) − cos α).
+    pub(super) fn landing_velocity(&self, y: f64, w: f64) -> f64 {
+        let alpha = self.pivot.slenderness_angle_rad;
+        let fall = if self.linearised {
+            (alpha - 0.5 * y) * y
+        } else {
+            2.0 * (alpha - 0.5 * y).sin() * (0.5 * y).sin()
+        };
+        (w * w + 2.0 * self.p2 * fall).sqrt()
+    }
+
     /// The longest step over which the series converges fast.
     pub(super) fn max_step_s(&self) -> f64 {
         MAX_STEP / self.p2.sqrt()

@@ -155,13 +155,19 @@ pub enum Until {
     /// At this time \[s\]; after the last sample the base comes to rest within one time step, as if
     /// zeros followed.
     Time(f64),
-    /// When the block has come to rest after the last sample, or `at_most_s` after that sample. A
-    /// block that would need more than 1e5 impacts to come to rest stops at its first impact after
-    /// the motion from which it cannot fall any more, with the reason [`StopReason::EndOfMotion`].
+    /// When the block has come to rest after the last sample, or at the last whole time step at most
+    /// `at_most_s` after that sample, with the reason [`StopReason::EndOfMotion`]. It has [rocked](Outcome::Rocked)
+    /// if its energy then is too small to pass a balance point. A block that would need more than 1e5 impacts to
+    /// come to rest stops once a flight about each edge lies after the motion and it cannot fall any more.
     Settled {
         /// Longest time after the last sample \[s\].
         at_most_s: f64,
     },
+}
+
+/// The time steps after the last sample that [`Until::Settled`] lasts at most.
+fn settling_steps(at_most_s: f64, dt_s: f64) -> f64 {
+    (at_most_s / dt_s).floor()
 }
 
 /// How the base moves.
@@ -298,8 +304,8 @@ pub enum Outcome {
     Rocked,
     /// At the end the object is past its balance point and a wall holds it, or it bounces there.
     Leaned,
-    /// The history ended while the object was neither at rest nor down; on cushions, with energy enough
-    /// to fall.
+    /// The history ended while the object was neither at rest nor down: before the base came to rest, at a time
+    /// that was given, or with energy enough to fall.
     Unresolved,
     /// |θ| reached π/2.
     Overturned,

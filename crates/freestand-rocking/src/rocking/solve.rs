@@ -6,7 +6,7 @@ use super::equation::{Edge, Ground, Segment, Start};
 use super::{
     Base, MAX_IMPACTS, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError, RockingImpact,
     RockingModel, RockingOptions, STEADY_IMPACTS, Side, SideExtremes, StopReason, Until,
-    WallImpact,
+    WallImpact, settling_steps,
 };
 use crate::block::Block;
 use crate::motion::Motion;
@@ -610,7 +610,8 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         self.steady = self.settle
             && self.quiet
             && (after / REST_OMEGA_RAD_S).ln() > STEADY_IMPACTS * loss
-            && self.edges.iter().all(|edge| edge.swings_back(after));
+            && self.edges.iter().all(|edge| edge.swings_back(after))
+            && self.has_flown_quietly();
         self.phase = if after > REST_OMEGA_RAD_S {
             Phase::Moving {
                 edge: next,
@@ -634,6 +635,13 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             Phase::Rest
         };
         Ok(())
+    }
+
+    /// Whether a flight about each edge lies after the motion: no later one is higher.
+    fn has_flown_quietly(&self) -> bool {
+        let still_from_s = self.intervals.start_s(self.intervals.samples);
+        let third_last = self.result.impacts.iter().rev().nth(2);
+        third_last.is_some_and(|impact| impact.time_s >= still_from_s)
     }
 
     /// An impact at velocity `w` ≥ 0 on the wall beyond `edge`.
@@ -746,8 +754,15 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
 
     fn finish(self) -> Rocking {
         let is_certain = match self.phase {
-            // One that rocks practically for ever cannot fall any more.
-            Phase::Moving { .. } => self.steady,
+            // On a base at rest no impact adds energy: too little of it to pass a balance point stays too little.
+            Phase::Moving { edge, y, w, .. } => {
+                let about = &self.edges[edge];
+                let lands = about.landing_velocity(y, w);
+                self.settle
+                    && self.quiet
+                    && y < about.pivot.slenderness_angle_rad
+                    && self.edges.iter().all(|edge| edge.swings_back(lands))
+            }
             Phase::Rest | Phase::Leaning { .. } => true,
         };
         let mut result = self.result;
@@ -810,10 +825,13 @@ impl<'a> Intervals<'a> {
         base.check()?;
         let given = base.horizontal.or(base.vertical);
         let record_s = given.map_or(0.0, Motion::duration_s);
-        let end_s = match until {
-            Until::EndOfMotion => record_s,
-            Until::Time(end_s) => end_s,
-            Until::Settled { at_most_s } => record_s + at_most_s,
+        let end_s = match (until, given) {
+            (Until::EndOfMotion, _) => record_s,
+            (Until::Time(end_s), _) => end_s,
+            (Until::Settled { at_most_s }, Some(motion)) if at_most_s >= motion.dt_s() => {
+                record_s + settling_steps(at_most_s, motion.dt_s()) * motion.dt_s()
+            }
+            (Until::Settled { at_most_s }, _) => record_s + at_most_s,
         };
         if !(end_s > 0.0 && end_s.is_finite()) {
             return Err(RockingError::Duration { duration_s: end_s });

@@ -35,7 +35,7 @@ use rayon::prelude::*;
 
 use super::{
     Accuracy, Base, Outcome, Restitution, RockingError, RockingModel, RockingOptions,
-    RockingSummary, SideExtremes, StopReason, Until, rock,
+    RockingSummary, SideExtremes, StopReason, Until, rock, settling_steps,
 };
 use crate::block::{Block, Pivot};
 use crate::wall::{Contact, Walls};
@@ -61,8 +61,8 @@ const SMALL_TILE: usize = 128;
 /// processor's vector units. Cases that the kernel does not cover are calculated by [`rock`], block
 /// by block: the linearised equation, an initial rotation or velocity, a fixed end
 /// ([`Until::Time`]), a base that falls away, a restitution of the floor or a wall above 0.9997, a time step so long for
-/// the block that it would have to be divided into more than 64 parts, and a wait for rest of less
-/// than two steps.
+/// the block that it would have to be divided into more than 64 parts, a wait for rest of less
+/// than two steps, and a block that may still fall at the end of the wait.
 ///
 /// # Reference
 /// Housner (1963), as for [`rock`]. Each step is a Taylor series of the exact equation, with a
@@ -267,8 +267,8 @@ fn prepare<'a>(base: Base<'a>, options: &RockingOptions) -> Option<(Shaking<'a>,
     let Some(wait_s) = wait_s else {
         return Some((shaking, None));
     };
-    // The base comes to rest in the first interval; of the others only whole ones are used here.
-    let wait = (wait_s / shaking.dt_s - 1.0).floor();
+    // The base comes to rest in the first interval.
+    let wait = settling_steps(wait_s, shaking.dt_s) - 1.0;
     (1.0..1e9)
         .contains(&wait)
         .then_some((shaking, Some(wait as usize)))
@@ -439,9 +439,8 @@ fn summary(
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
         // It is followed no further than the last sample.
         State::Moving if !settle => (Outcome::Unresolved, over),
-        State::AtRest | State::Moving | State::GivenUp | State::Leaning { .. } => {
-            (Outcome::Rocked, over)
-        }
+        State::Moving => (Outcome::Rocked, StopReason::EndOfMotion),
+        State::AtRest | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
     };
     let sides = [0, 1].map(|side| SideExtremes {
         // No further than the wall, whatever rounding yields.

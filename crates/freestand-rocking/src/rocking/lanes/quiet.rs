@@ -34,8 +34,7 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
     };
     let clear = |terms: &EdgeTerms, highest: f64| (highest < terms.ceiling).then_some(());
     clear(terms, highest)?;
-    let mut speed =
-        (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt();
+    let mut speed = landing_speed(terms, y, w);
     tail.steps = (w.abs() + speed) / least_pull(terms, highest)?;
     tail.sides[edge].height = highest;
     loop {
@@ -58,6 +57,20 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
             side.height = side.height.max(highest);
         }
     }
+}
+
+/// Whether a block with the rotation `y` and the velocity `w` about an edge has too little energy to pass a
+/// balance point; no impact on a base at rest adds any.
+pub(super) fn stays(rocker: &Rocker, edge: usize, y: f64, w: f64) -> bool {
+    let terms = &rocker.edges[edge];
+    let speed = landing_speed(terms, y, w);
+    let returns = |terms| turning_point(terms, 0.0, speed).is_some();
+    y < terms.alpha && rocker.edges.iter().all(returns)
+}
+
+/// The speed with which a block lands that has the rotation `y` ≤ α and the velocity `w`.
+fn landing_speed(terms: &EdgeTerms, y: f64, w: f64) -> f64 {
+    (w * w + 4.0 * terms.x2 * (terms.alpha - 0.5 * y).sin() * (0.5 * y).sin()).sqrt()
 }
 
 /// x² sin φ at the highest point of a flight, where the pull is weakest; `None` too close to the

@@ -6,7 +6,8 @@ use crate::G0_M_S2;
 use crate::block::Block;
 use crate::motion::Motion;
 use crate::rocking::{
-    Base, Outcome, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, Until, rock,
+    Base, Outcome, Restitution, Rocking, RockingModel, RockingOptions, RockingSummary, StopReason,
+    Until, rock,
 };
 
 fn under(motion: &Motion) -> Base<'_> {
@@ -168,6 +169,54 @@ fn every_wait_for_rest_ends_as_it_does_for_the_scalar_solver() {
     }
 }
 
+/// A block that still rocks at the end of the wait has rocked if its energy is too small to pass a balance point,
+/// also of the steeper edge; what has more is unresolved. Both follow from the long run.
+#[test]
+fn a_block_that_cannot_fall_any_more_has_rocked() {
+    let dt = 0.02;
+    let mut counts = [0; 3];
+    for (steps, off_m, r) in [
+        (2.0, 0.0, 0.8),
+        (5.3, 0.0, 0.999),
+        (60.0, 0.01, 0.999),
+        (200.5, 0.0, 0.999),
+    ] {
+        let block = Block::uniform(2.0, 0.3)
+            .unwrap()
+            .with_cg_offset(off_m)
+            .unwrap();
+        for scale in 0..120 {
+            let peak = 1.6 + 0.02 * f64::from(scale);
+            let push = |k: i32| peak * (0.12 * f64::from(k)).sin();
+            let motion = Motion::new(dt, (0..53).map(push).collect()).unwrap();
+            let followed = |at_most_s| RockingOptions {
+                restitution: Restitution::Value(r),
+                until: Until::Settled { at_most_s },
+                ..RockingOptions::default()
+            };
+            let (kernel, scalar) = both(&block, under(&motion), &followed(steps * dt));
+            assert_eq!((kernel.outcome, kernel.stop), (scalar.outcome, scalar.stop));
+            assert_eq!(kernel.impact_count, scalar.impacts.len());
+            let later = rock(&block, under(&motion), &followed(1e4)).unwrap();
+            let expected = match (scalar.stop, scalar.outcome) {
+                (StopReason::EndOfMotion, Outcome::Rocked) => {
+                    counts[0] += 1;
+                    Outcome::Rocked
+                }
+                (StopReason::EndOfMotion, Outcome::Unresolved) => {
+                    counts[1] += usize::from(later.outcome == Outcome::Overturned);
+                    counts[2] += usize::from(later.outcome == Outcome::Rocked);
+                    later.outcome
+                }
+                (_, outcome) => outcome,
+            };
+            assert_eq!(later.outcome, expected, "{steps} steps, {peak} m/s²");
+        }
+    }
+    // All of them occur: rocked, and unresolved with either end.
+    assert!(counts.iter().all(|count| *count > 0), "{counts:?}");
+}
+
 /// A block that would need more than 1e5 impacts counts as rocking for ever, for both.
 #[test]
 fn a_block_that_rocks_for_ever_stops_at_once() {
@@ -187,6 +236,16 @@ fn a_block_that_rocks_for_ever_stops_at_once() {
                 (scalar.outcome, scalar.stop),
                 "r {r}, {height} m"
             );
+            // No later flight is higher; 1e-13 a step, over many impacts.
+            let longer = RockingOptions {
+                until: Until::Time(scalar.end_time_s + 1.0),
+                ..options
+            };
+            let later = rock(&block, under(&motion), &longer).unwrap();
+            for side in [0, 1] {
+                let [later, peak] = [&later, &scalar].map(|r| r.sides[side].peak_rotation_rad);
+                assert!((later - peak).abs() <= 1e-9 * peak, "r {r}, {height} m");
+            }
             // One more or less where the last speed is about that of rest.
             assert!(
                 kernel.impact_count.abs_diff(scalar.impacts.len()) <= 1,

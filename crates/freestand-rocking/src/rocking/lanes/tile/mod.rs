@@ -9,7 +9,7 @@ use pulp::Arch;
 use super::batch::{BATCH, Batch};
 use super::degree::Degree;
 use super::flights::Flights;
-use super::quiet::tail;
+use super::quiet::{stays, tail};
 use super::ranks::{Moving, NONE, Ranks};
 use super::record::{Record, State, WallRecord};
 use super::rocker::{EdgeTerms, Rocker};
@@ -138,15 +138,17 @@ impl<'a> Tile<'a> {
                 edge,
                 best,
                 y,
+                w,
                 ..
             } = self.moving.get(lane);
             let record = &mut self.records[block as usize];
             record.sides[edge].height = best.max(y);
-            let terms = &self.rockers[block as usize].edges[edge];
-            if record.bounced && y >= terms.alpha {
+            let rocker = &self.rockers[block as usize];
+            if record.bounced && y >= rocker.edges[edge].alpha {
                 record.state = State::Bouncing;
             }
-            if wait.is_some() {
+            // Whether the others fall is not known.
+            if wait.is_some() && !stays(rocker, edge, y, w) {
                 record.state = State::GivenUp;
             }
         }
