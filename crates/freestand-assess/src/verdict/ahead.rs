@@ -1,5 +1,7 @@
 //! What the worlds of a part say so far, and what its objects still need, for those who watch.
 
+use std::collections::BTreeMap;
+
 use freestand::decision::{Count, Side};
 use rayon::prelude::*;
 
@@ -14,8 +16,8 @@ use super::softer;
 use super::trial::{Question, Trial};
 use super::watch::{ALONE, Estimate, FLOOR, GROUND, ON_PADS};
 
-/// Softer pads that are usually tried.
-const TRIED_PADS: f64 = 4.0;
+/// Softer pads that are usually tried, in as many worlds as the object.
+const TRIED_PADS: f64 = 2.5;
 
 /// How often floors are calculated for what answers depend on: as they are, with another motion, with another building,
 /// and with both ends of its period.
@@ -30,27 +32,16 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
         .map(|trial| Ahead::of(context, trial))
         .collect();
     let of_objects: f64 = ahead.iter().map(|one| one.effort).sum();
-    // Those who live together share their floors.
+    // All share the motions of the ground, and those on one floor its motions.
     let most = |of: fn(&Lives) -> f64| ahead.iter().map(|one| of(&one.lives)).fold(0.0, f64::max);
-    let now = trials.iter().map(Trial::worlds).max().unwrap_or(0);
-    let last = ahead.iter().map(|one| one.worlds).max().unwrap_or(0);
-    let worlds = f64::from(last.saturating_sub(now))
-        + most(|lives| lives.on_softer)
-        + most(|lives| lives.before_walls)
-        + most(|lives| {
-            if lives.changes > 0.0 {
-                FLOORS_AGAIN * lives.again
-            } else {
-                0.0
-            }
-        });
-    let mut levels: Vec<u64> = trials
-        .iter()
-        .map(|trial| trial.subject.level_ratio.to_bits())
-        .collect();
-    levels.sort_unstable();
-    levels.dedup();
-    let of_floors = worlds * (GROUND + FLOOR * levels.len() as u64) as f64;
+    let of_ground = most(|lives| lives.lacking) + most(|lives| lives.again);
+    let mut on_floors: BTreeMap<u64, f64> = BTreeMap::new();
+    for (trial, one) in trials.iter().zip(&ahead) {
+        let level = trial.subject.level_ratio.to_bits();
+        let most = on_floors.entry(level).or_default();
+        *most = most.max(one.lives.on_its_floor());
+    }
+    let of_floors = on_floors.values().sum::<f64>() * FLOOR as f64 + of_ground * GROUND as f64;
     let settled = ahead.iter().map(|one| one.settled).sum();
     let estimates: Vec<Estimate> = ahead.into_iter().map(|one| one.estimate).collect();
     watch.looked(settled, (of_objects + of_floors) as u64, &estimates);
@@ -60,8 +51,6 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
 struct Ahead<'a> {
     /// Questions that are settled.
     settled: usize,
-    /// Worlds after which it is settled.
-    worlds: u32,
     lives: Lives,
     /// What it still needs, in histories in one plane on a rigid base.
     effort: f64,
@@ -74,7 +63,6 @@ impl<'a> Ahead<'a> {
         let lives = Lives::ahead(context, trial, worlds);
         Self {
             settled: settled_questions(context, trial),
-            worlds,
             effort: lives.effort(context, trial),
             lives,
             estimate: estimate(context, trial),
@@ -167,7 +155,7 @@ struct Lives {
     on_softer: f64,
     /// Before a wall, on a rigid base.
     before_walls: f64,
-    /// For what its answers depend on: so many changes in so many worlds.
+    /// For what its answers depend on: so many changes, and in how many worlds.
     changes: f64,
     again: f64,
 }
@@ -197,8 +185,13 @@ impl Lives {
             on_softer: worlds_if(softer::is_wanted(context, trial), TRIED_PADS),
             before_walls: worlds_if(falls && trial.asks(context, Model::Rigid), 1.0),
             changes: changes as f64,
-            again: again as f64,
+            again: if changes > 0 { again as f64 } else { 0.0 },
         }
+    }
+
+    /// Worlds in which the motions of its floor are calculated.
+    fn on_its_floor(&self) -> f64 {
+        self.lacking + self.on_softer + self.before_walls + FLOORS_AGAIN * self.again
     }
 
     fn effort(&self, context: &Context, trial: &Trial) -> f64 {

@@ -4,7 +4,8 @@
 //! Effort is counted in histories in one plane on a rigid base, which other work is measured against
 //! (benches/README.md). It is no time: what is told does not depend on the machine.
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use freestand_inventory::Item;
@@ -18,15 +19,16 @@ use crate::result::Probability;
 use super::asks_shock;
 
 /// A history in one plane on pads.
-pub(super) const ON_PADS: u64 = 20;
+pub(super) const ON_PADS: u64 = 12;
 /// A history that is followed alone, in three dimensions or of a stack.
-pub(super) const ALONE: u64 = 2000;
+pub(super) const ALONE: u64 = 800;
 /// The ground motions of a world, and its motion of a floor.
-pub(super) const GROUND: u64 = 500;
-pub(super) const FLOOR: u64 = 60;
+pub(super) const GROUND: u64 = 100;
+pub(super) const FLOOR: u64 = 4;
 
-/// Worlds that an object needs, as a share of the most that it may, before any is lived.
-const USUAL_SHARE: f64 = 0.4;
+/// Worlds that an object needs, as a share of the most that it may, before any is lived. The ground moves in
+/// as many as the object that needs most.
+const USUAL_SHARE: f64 = 0.15;
 /// How much more is done with an object than its worlds take: softer pads, what its answer depends on.
 const BESIDE: f64 = 1.5;
 
@@ -55,6 +57,8 @@ pub struct Watch<'a> {
     settings: &'a Settings,
     questions: usize,
     done: AtomicU64,
+    /// Worlds whose ground motions were made; they are kept.
+    worlds: AtomicU32,
     state: Mutex<State>,
 }
 
@@ -85,6 +89,7 @@ impl<'a> Watch<'a> {
             settings,
             questions: items.iter().map(|item| questions(item, settings)).sum(),
             done: AtomicU64::new(0),
+            worlds: AtomicU32::new(0),
             state: Mutex::new(State {
                 ahead: usual_effort(settings, items),
                 ..State::default()
@@ -121,6 +126,12 @@ impl<'a> Watch<'a> {
 
     fn effort(&self) -> u64 {
         self.done.load(Ordering::Relaxed)
+    }
+
+    /// How many of these worlds are the first with their ground motions.
+    pub(super) fn new_worlds(&self, worlds: &Range<u32>) -> u32 {
+        let before = self.worlds.fetch_max(worlds.end, Ordering::Relaxed);
+        worlds.end.saturating_sub(before.max(worlds.start))
     }
 
     /// So much more is done.
@@ -193,6 +204,14 @@ pub fn usual_effort(settings: &Settings, items: &[Item]) -> u64 {
         };
         USUAL_SHARE * f64::from(most) * in_world as f64 * BESIDE
     };
-    let worlds = USUAL_SHARE * f64::from(looks.most());
-    (items.iter().map(of).sum::<f64>() + worlds * GROUND as f64) as u64
+    let worlds = (USUAL_SHARE * items.len() as f64).min(1.0) * f64::from(looks.most());
+    let mut levels: Vec<u64> = items
+        .iter()
+        .filter_map(|item| item.level_ratio.map(f64::to_bits))
+        .collect();
+    levels.sort_unstable();
+    levels.dedup();
+    let of_floors =
+        worlds * GROUND as f64 + (worlds * USUAL_SHARE) * (FLOOR * levels.len() as u64) as f64;
+    (items.iter().map(of).sum::<f64>() + of_floors) as u64
 }

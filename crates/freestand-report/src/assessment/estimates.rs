@@ -9,9 +9,9 @@ use serde::Serialize;
 use super::reasons::spread;
 use crate::table::table;
 
-/// Effort that one core does in a second: assumed, from two lists of benches/README.md. A slower machine takes longer; once
+/// Effort that one core does in a second: assumed, from three lists of benches/README.md. A slower machine takes longer; once
 /// work has begun, its own speed counts.
-const EFFORT_PER_S: f64 = 40_000.0;
+const EFFORT_PER_S: f64 = 25_000.0;
 
 /// Rows of the table of first estimates.
 const ROWS: usize = 15;

@@ -5,6 +5,7 @@ mod sites;
 use std::path::Path;
 
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use clap::Args;
 use freestand_app::assess::{Assess, Meant, SCHEMA};
@@ -129,8 +130,17 @@ fn watched_on<T>(
 ) -> Result<T, Problems> {
     let stop = printer.stop();
     bar.set_length(BAR);
+    let now = Mutex::new(None);
     let progress = |step: Step| {
         if let Some(stage) = step.stage {
+            // Each stage has its own speed.
+            let before = now
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner)
+                .replace(stage);
+            if before.is_some_and(|before| before != stage) {
+                bar.reset_elapsed();
+            }
             bar.set_position((BAR as f64 * step.share()) as u64);
             let left = time_left(step.share(), bar.elapsed().as_secs_f64());
             let left = left.map_or_else(String::new, |left| format!(", {left}"));
