@@ -22,7 +22,7 @@ from case import chosen
 HERE = Path(__file__).resolve().parent
 RECORD, SCALE = HERE.parent / "validation/rocking/records/bench4000.csv", 0.5
 REPEATS, REPEATS_OF_PEERS = 7, 3
-# The smallest and the largest height and thickness [m], in 64 steps each.
+# The smallest and the largest height and thickness [m]; 64 values of each.
 GRIDS = [((0.3, 4), (0.1, 1)), ((4, 20), (0.4, 0.8))]
 LEVELS = ["fast", "standard", "tight"]
 # Peers in Python, and the number of blocks that each solves: all, or a sample for the slow one.
@@ -72,6 +72,8 @@ def compare(binary, grid, folder):
         loop.append(peer([folder / "rk4", case]))
         for level in LEVELS:
             own[level].append(peer([binary, case, level]))
+    if None in own["tight"]:
+        sys.exit(f"{binary} did not run: build it with `cargo build --release -p freestand-benches --example kernel`")
     exact, other = own["tight"][0][1], peer([binary, larger, "tight"])[1]
     insensitive = (outcomes(other) == outcomes(exact)) & (np.abs(other - exact) <= 1e-5 * exact)
 

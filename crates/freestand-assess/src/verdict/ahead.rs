@@ -34,14 +34,19 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
     let of_objects: f64 = ahead.iter().map(|one| one.effort).sum();
     // All share the motions of the ground, and those on one floor its motions.
     let most = |of: fn(&Lives) -> f64| ahead.iter().map(|one| of(&one.lives)).fold(0.0, f64::max);
-    let of_ground = most(|lives| lives.lacking) + most(|lives| lives.again);
+    let last = ahead.iter().map(|one| one.worlds).max().unwrap_or(0);
+    let grounds = context.worlds.grounds_to_make(0..last, 0)
+        + context
+            .worlds
+            .grounds_to_make(0..most(|lives| lives.again) as u32, 1);
     let mut on_floors: BTreeMap<u64, f64> = BTreeMap::new();
     for (trial, one) in trials.iter().zip(&ahead) {
         let level = trial.subject.level_ratio.to_bits();
         let most = on_floors.entry(level).or_default();
         *most = most.max(one.lives.on_its_floor());
     }
-    let of_floors = on_floors.values().sum::<f64>() * FLOOR as f64 + of_ground * GROUND as f64;
+    let of_floors =
+        on_floors.values().sum::<f64>() * FLOOR as f64 + (grounds as u64 * GROUND) as f64;
     let settled = ahead.iter().map(|one| one.settled).sum();
     let estimates: Vec<Estimate> = ahead.into_iter().map(|one| one.estimate).collect();
     watch.looked(settled, (of_objects + of_floors) as u64, &estimates);
@@ -51,6 +56,8 @@ pub(super) fn tell(context: &Context, trials: &[Trial]) {
 struct Ahead<'a> {
     /// Questions that are settled.
     settled: usize,
+    /// Worlds after which it is settled.
+    worlds: u32,
     lives: Lives,
     /// What it still needs, in histories in one plane on a rigid base.
     effort: f64,
@@ -63,6 +70,7 @@ impl<'a> Ahead<'a> {
         let lives = Lives::ahead(context, trial, worlds);
         Self {
             settled: settled_questions(context, trial),
+            worlds,
             effort: lives.effort(context, trial),
             lives,
             estimate: estimate(context, trial),

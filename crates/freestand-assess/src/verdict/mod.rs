@@ -36,7 +36,6 @@ mod tally;
 mod trial;
 mod watch;
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
@@ -45,13 +44,11 @@ use crate::accepted::accepted;
 use crate::reason::Reason;
 use crate::result::{Assessment, Decision, FallsAnswer};
 use crate::worlds::Worlds;
-use freestand::worlds::Group;
 use freestand_input::problem::{Problem, ProblemKind, Problems};
 use freestand_inventory::{Consequences, Item, Rating};
 use freestand_study::study::Study;
 use freestand_study::study::assessment::{Questions, Settings};
 
-use draw::Change;
 use trial::Trial;
 
 pub(crate) use comparisons::forces_by_sizes;
@@ -140,15 +137,6 @@ impl<'a> Context<'a> {
     fn add(&self, effort: u64) {
         if let Some(watch) = self.watch {
             watch.add(effort);
-        }
-    }
-
-    /// How many of these worlds have ground motions that were not made before, for those who watch.
-    fn new_grounds(&self, worlds: &Range<u32>, change: Change) -> u64 {
-        match (change, self.watch) {
-            (Change::Again(Group::Motion), _) => worlds.len() as u64,
-            (Change::None, Some(watch)) => u64::from(watch.new_worlds(worlds)),
-            _ => 0,
         }
     }
 

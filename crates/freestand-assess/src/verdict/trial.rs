@@ -736,12 +736,12 @@ pub(super) fn floors(
     let building = change
         .normal(Group::Building)
         .map(|normal| context.worlds.building_at(normal));
-    let of_ground = context.new_grounds(&range, change);
+    let of_ground = GROUND * context.worlds.grounds_to_make(range.clone(), again.motion) as u64;
     let of_floors = FLOOR * (range.len() * levels_ratio.len()) as u64;
     let found = context
         .worlds
         .floors(range, levels_ratio, again, building, || context.go_on())?;
-    context.add(GROUND * of_ground + of_floors);
+    context.add(of_ground + of_floors);
     Ok(found)
 }
 

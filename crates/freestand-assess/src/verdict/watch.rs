@@ -4,8 +4,7 @@
 //! Effort is counted in histories in one plane on a rigid base, which other work is measured against
 //! (benches/README.md). It is no time: what is told does not depend on the machine.
 
-use std::ops::Range;
-use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use freestand_inventory::Item;
@@ -26,8 +25,7 @@ pub(super) const ALONE: u64 = 800;
 pub(super) const GROUND: u64 = 100;
 pub(super) const FLOOR: u64 = 4;
 
-/// Worlds that an object needs, as a share of the most that it may, before any is lived. The ground moves in
-/// as many as the object that needs most.
+/// Worlds that an object needs, as a share of the most that it may, before any is lived.
 const USUAL_SHARE: f64 = 0.15;
 /// How much more is done with an object than its worlds take: softer pads, what its answer depends on.
 const BESIDE: f64 = 1.5;
@@ -55,10 +53,10 @@ pub struct Watch<'a> {
     progress: Progress<'a>,
     estimates: Option<TellEstimates<'a>>,
     settings: &'a Settings,
+    /// The usual effort of the motions of the ground and of floors, most of it in the first part.
+    floors: u64,
     questions: usize,
     done: AtomicU64,
-    /// Worlds whose ground motions were made; they are kept.
-    worlds: AtomicU32,
     state: Mutex<State>,
 }
 
@@ -67,7 +65,7 @@ struct State {
     /// Questions that are settled, of the parts before, and of this one.
     before: usize,
     now: usize,
-    /// The usual effort of what is ahead, and of what is or was done.
+    /// The usual effort of the objects that are ahead, and of what is or was done.
     ahead: u64,
     begun: u64,
     /// The effort that was done and is expected until the end of this part.
@@ -87,11 +85,11 @@ impl<'a> Watch<'a> {
             progress,
             estimates,
             settings,
+            floors: of_floors(settings, items) as u64,
             questions: items.iter().map(|item| questions(item, settings)).sum(),
             done: AtomicU64::new(0),
-            worlds: AtomicU32::new(0),
             state: Mutex::new(State {
-                ahead: usual_effort(settings, items),
+                ahead: of_objects(settings, items) as u64,
                 ..State::default()
             }),
         }
@@ -103,10 +101,12 @@ impl<'a> Watch<'a> {
 
     /// A part begins; one that is stored takes no effort.
     pub(crate) fn begin(&self, items: &[Item], is_stored: bool) {
-        let usual = usual_effort(self.settings, items);
+        let usual = of_objects(self.settings, items) as u64;
         let mut state = self.state();
         state.ahead = state.ahead.saturating_sub(usual);
         if !is_stored {
+            let is_first = state.begun == 0;
+            let usual = usual + if is_first { self.floors } else { 0 };
             state.begun += usual;
             state.expected = self.effort() + usual;
         }
@@ -126,12 +126,6 @@ impl<'a> Watch<'a> {
 
     fn effort(&self) -> u64 {
         self.done.load(Ordering::Relaxed)
-    }
-
-    /// How many of these worlds are the first with their ground motions.
-    pub(super) fn new_worlds(&self, worlds: &Range<u32>) -> u32 {
-        let before = self.worlds.fetch_max(worlds.end, Ordering::Relaxed);
-        worlds.end.saturating_sub(before.max(worlds.start))
     }
 
     /// So much more is done.
@@ -158,7 +152,7 @@ impl<'a> Watch<'a> {
         // What is ahead takes as much more or less than usual as what was begun.
         let unusual = expected as f64 / state.begun.max(1) as f64;
         let ahead = if state.begun == 0 {
-            state.ahead
+            state.ahead + self.floors
         } else {
             (state.ahead as f64 * unusual) as u64
         };
@@ -183,15 +177,15 @@ fn questions(item: &Item, settings: &Settings) -> usize {
     1 + usize::from(has_shock)
 }
 
-/// What objects usually take, in histories in one plane on a rigid base.
+/// What an assessment of these objects usually takes, in histories in one plane on a rigid base.
 pub fn usual_effort(settings: &Settings, items: &[Item]) -> u64 {
-    let looks = settings.worlds.looks;
+    (of_objects(settings, items) + of_floors(settings, items)) as u64
+}
+
+fn of_objects(settings: &Settings, items: &[Item]) -> f64 {
     let of = |item: &Item| {
-        if item.anchored == Some(true) || item.height_m.is_none() || item.thickness_m.is_none() {
-            return 0.0;
-        }
         let (accepted, _) = accepted(item, settings);
-        let most = looks.worlds(accepted).ok();
+        let most = settings.worlds.looks.worlds(accepted).ok();
         let most = most.and_then(|looks| looks.last().copied()).unwrap_or(0);
         let has_pads = item.mass_kg.is_some() && item.cushion.is_some();
         let planes = 1 + u64::from(item.width_m.is_some());
@@ -204,14 +198,23 @@ pub fn usual_effort(settings: &Settings, items: &[Item]) -> u64 {
         };
         USUAL_SHARE * f64::from(most) * in_world as f64 * BESIDE
     };
-    let worlds = (USUAL_SHARE * items.len() as f64).min(1.0) * f64::from(looks.most());
-    let mut levels: Vec<u64> = items
-        .iter()
+    items.iter().filter(|item| is_followed(item)).map(of).sum()
+}
+
+/// The motions of the ground and of floors. Of several objects one usually needs the most worlds that it may; each floor is
+/// needed in as many as its objects.
+fn of_floors(settings: &Settings, items: &[Item]) -> f64 {
+    let followed = || items.iter().filter(|item| is_followed(item));
+    let mut levels: Vec<u64> = followed()
         .filter_map(|item| item.level_ratio.map(f64::to_bits))
         .collect();
     levels.sort_unstable();
     levels.dedup();
-    let of_floors =
-        worlds * GROUND as f64 + (worlds * USUAL_SHARE) * (FLOOR * levels.len() as u64) as f64;
-    (items.iter().map(of).sum::<f64>() + of_floors) as u64
+    let most = f64::from(settings.worlds.looks.most());
+    let ground = (USUAL_SHARE * followed().count() as f64).min(1.0) * GROUND as f64;
+    most * (ground + USUAL_SHARE * (FLOOR * levels.len() as u64) as f64)
+}
+
+fn is_followed(item: &Item) -> bool {
+    item.anchored != Some(true) && item.height_m.is_some() && item.thickness_m.is_some()
 }

@@ -526,6 +526,17 @@ impl<'a> Worlds<'a> {
         Ok(Some(made))
     }
 
+    /// In how many of these worlds the ground motion is still to be made.
+    pub(crate) fn grounds_to_make(&self, worlds: Range<u32>, again: u32) -> usize {
+        if !matches!(self.source, Source::Synthetic(..)) {
+            return 0;
+        }
+        let kept = self.kept.lock().unwrap_or_else(PoisonError::into_inner);
+        worlds
+            .filter(|world| !kept.contains_key(&(*world, again)))
+            .count()
+    }
+
     /// The spectrum that the horizontal motions of a world deviate from, without their pulse \[g\].
     fn horizontal_sa_g(
         &self,

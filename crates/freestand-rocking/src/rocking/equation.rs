@@ -153,9 +153,9 @@ impl Edge {
         0.5 * w * w < self.p2 * climb
     }
 
-    /// The velocity with which a block at the rotation y ≤ α and the velocity w lands on a base at rest, where
+    /// The speed with which a block at the rotation y ≤ α and the velocity w lands on a base at rest, where
     /// energy is conserved: v² = w² + 2p²(cos(α−y) − cos α).
-    pub(super) fn landing_velocity(&self, y: f64, w: f64) -> f64 {
+    pub(super) fn landing_speed(&self, y: f64, w: f64) -> f64 {
         let alpha = self.pivot.slenderness_angle_rad;
         let fall = if self.linearised {
             (alpha - 0.5 * y) * y

@@ -143,7 +143,7 @@ impl Accuracy {
 }
 
 /// Longest time after the motion in which a block may come to rest, where nothing else is said
-/// \[s\]; only a restitution of nearly 1, and pads without damping, need more.
+/// \[s\]; only a restitution of nearly 1, as slender blocks have, and pads without damping need more.
 pub const LONGEST_TAIL_S: f64 = 120.0;
 
 /// When a history ends, unless the block overturns first.
@@ -300,7 +300,7 @@ pub struct WallImpact {
 pub enum Outcome {
     /// The base never passed the uplift threshold.
     NoUplift,
-    /// The object rocked and did not overturn: it came to rest, or it is certain that it will.
+    /// The object rocked and did not overturn: it came to rest, or cannot fall any more.
     Rocked,
     /// At the end the object is past its balance point and a wall holds it, or it bounces there.
     Leaned,

@@ -124,6 +124,11 @@ impl Intervals<'_> {
         i as f64 * self.dt_s
     }
 
+    /// Whether the base rests at the end.
+    fn end_at_rest(&self) -> bool {
+        self.end_s >= self.start_s(self.samples)
+    }
+
     /// Length of interval `i` and the acceleration at its start; `None` after the end.
     fn get(&self, i: usize) -> Option<(f64, Ground)> {
         let start_s = self.start_s(i);
@@ -757,11 +762,11 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
             // On a base at rest no impact adds energy: too little of it to pass a balance point stays too little.
             Phase::Moving { edge, y, w, .. } => {
                 let about = &self.edges[edge];
-                let lands = about.landing_velocity(y, w);
+                let speed = about.landing_speed(y, w);
                 self.settle
-                    && self.quiet
+                    && self.intervals.end_at_rest()
                     && y < about.pivot.slenderness_angle_rad
-                    && self.edges.iter().all(|edge| edge.swings_back(lands))
+                    && self.edges.iter().all(|edge| edge.swings_back(speed))
             }
             Phase::Rest | Phase::Leaning { .. } => true,
         };
@@ -829,7 +834,8 @@ impl<'a> Intervals<'a> {
             (Until::EndOfMotion, _) => record_s,
             (Until::Time(end_s), _) => end_s,
             (Until::Settled { at_most_s }, Some(motion)) if at_most_s >= motion.dt_s() => {
-                record_s + settling_steps(at_most_s, motion.dt_s()) * motion.dt_s()
+                let steps = (motion.accel_m_s2().len() - 1) as f64;
+                (steps + settling_steps(at_most_s, motion.dt_s())) * motion.dt_s()
             }
             (Until::Settled { at_most_s }, _) => record_s + at_most_s,
         };

@@ -130,19 +130,25 @@ fn watched_on<T>(
 ) -> Result<T, Problems> {
     let stop = printer.stop();
     bar.set_length(BAR);
+    // The stage, and the share that was done when it began or resumed.
     let now = Mutex::new(None);
     let progress = |step: Step| {
         if let Some(stage) = step.stage {
-            // Each stage has its own speed.
-            let before = now
-                .lock()
-                .unwrap_or_else(PoisonError::into_inner)
-                .replace(stage);
-            if before.is_some_and(|before| before != stage) {
-                bar.reset_elapsed();
-            }
-            bar.set_position((BAR as f64 * step.share()) as u64);
-            let left = time_left(step.share(), bar.elapsed().as_secs_f64());
+            let share = step.share();
+            let mut now = now.lock().unwrap_or_else(PoisonError::into_inner);
+            let from = match *now {
+                Some((before, from)) if before == stage => from,
+                // Each stage has its own speed.
+                _ => {
+                    bar.reset_elapsed();
+                    *now = Some((stage, share));
+                    share
+                }
+            };
+            drop(now);
+            bar.set_position((BAR as f64 * share) as u64);
+            let since = (share - from) / (1.0 - from);
+            let left = time_left(since, bar.elapsed().as_secs_f64());
             let left = left.map_or_else(String::new, |left| format!(", {left}"));
             bar.set_message(match step.total {
                 0 => stage.name().to_owned(),

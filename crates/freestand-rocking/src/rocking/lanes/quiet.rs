@@ -61,7 +61,7 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
 
 /// Whether a block with the rotation `y` and the velocity `w` about an edge has too little energy to pass a
 /// balance point; no impact on a base at rest adds any.
-pub(super) fn stays(rocker: &Rocker, edge: usize, y: f64, w: f64) -> bool {
+pub(super) fn cannot_fall(rocker: &Rocker, edge: usize, y: f64, w: f64) -> bool {
     let terms = &rocker.edges[edge];
     let speed = landing_speed(terms, y, w);
     let returns = |terms| turning_point(terms, 0.0, speed).is_some();

@@ -9,7 +9,7 @@ use pulp::Arch;
 use super::batch::{BATCH, Batch};
 use super::degree::Degree;
 use super::flights::Flights;
-use super::quiet::{stays, tail};
+use super::quiet::{cannot_fall, tail};
 use super::ranks::{Moving, NONE, Ranks};
 use super::record::{Record, State, WallRecord};
 use super::rocker::{EdgeTerms, Rocker};
@@ -148,7 +148,7 @@ impl<'a> Tile<'a> {
                 record.state = State::Bouncing;
             }
             // Whether the others fall is not known.
-            if wait.is_some() && !stays(rocker, edge, y, w) {
+            if wait.is_some() && !cannot_fall(rocker, edge, y, w) {
                 record.state = State::GivenUp;
             }
         }
