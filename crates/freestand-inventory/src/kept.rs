@@ -60,6 +60,7 @@ pub(super) enum KeptRestitution {
     Housner,
     Value(f64),
     Factor(f64),
+    Edges([f64; 2]),
 }
 
 /// For the field `questions` of [`Item`]: the names that lists use.

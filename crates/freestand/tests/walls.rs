@@ -9,7 +9,7 @@ use freestand::block::Block;
 use freestand::motion::Motion;
 use freestand::rocking::{
     Accuracy, Base, HistoryRecorder, Outcome, REST_OMEGA_RAD_S, Rocking, RockingError,
-    RockingModel, RockingOptions, Side, StopReason, Until, rock, rock_observed,
+    RockingModel, RockingOptions, Side, StopReason, Until, rock, rock_many, rock_observed,
 };
 use freestand::wall::{Wall, WallError, Walls};
 use proptest::prelude::*;
@@ -355,6 +355,56 @@ fn a_leaning_block_waits_for_the_base() {
         (StopReason::Settled, Outcome::Leaned, true)
     );
     assert!(got.end_time_s < 10.0);
+}
+
+/// Between elastic walls a slender block swings for minutes, across its balance points where the walls are beyond
+/// them: what the end of any wait says is what becomes of it.
+#[test]
+fn what_is_said_at_the_end_of_a_wait_holds() {
+    let block = Block::uniform(10.0, 0.5).unwrap();
+    for (gap_m, reaches_balance) in [(0.55, true), (0.35, false)] {
+        let elastic = Wall {
+            restitution_ratio: 0.99,
+            ..Wall::at(gap_m)
+        };
+        let walls = Walls {
+            left: Some(elastic),
+            right: Some(elastic),
+        };
+        let after = |at_most_s: f64| {
+            let options = RockingOptions {
+                until: Until::Settled { at_most_s },
+                ..free(0.03, 0.06, 0.0, walls)
+            };
+            rock(&block, Base::default(), &options).unwrap()
+        };
+        let later = after(1e4);
+        assert_eq!(later.stop, StopReason::Settled);
+        let waits: Vec<Rocking> = (1..60).map(|k| after(9.3 * f64::from(k))).collect();
+        let open = |one: &&Rocking| one.outcome == Outcome::Unresolved;
+        assert_eq!(waits.iter().any(|one| open(&one)), reaches_balance);
+        let said = waits.iter().filter(|one| !open(one));
+        assert!(said.clone().count() > 0);
+        for one in said {
+            assert_eq!(
+                one.outcome, later.outcome,
+                "{gap_m} m, {} s",
+                one.end_time_s
+            );
+        }
+    }
+}
+
+/// What the shaking presses against a wall before its balance point is neither at rest nor down.
+#[test]
+fn a_block_that_is_pressed_on_a_wall_is_unresolved() {
+    let block = Block::uniform(1.8, 0.5).unwrap();
+    let push = Motion::new(0.01, vec![-0.5 * G0_M_S2; 300]).unwrap();
+    let options = between(both(0.02));
+    let got = rock(&block, under(&push), &options).unwrap();
+    assert_eq!((got.outcome, got.leaning), (Outcome::Unresolved, true));
+    let many = rock_many(&[block], under(&push), &options);
+    assert_eq!(many[0].as_ref().unwrap().outcome, Outcome::Unresolved);
 }
 
 /// A base that pushes the block into the wall that it touches leaves it at rest; the other way it

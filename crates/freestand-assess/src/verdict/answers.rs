@@ -48,7 +48,7 @@ pub(super) fn answers(context: &Context, trial: &Trial) -> Answers {
         falls && (exceeds || !trial.member.asks_shock)
     });
     let asked_on_pads = trial.lived.iter().filter(|one| one.pads.is_some()).count() as u32;
-    let restitutions = || trial.lived.iter().map(|one| one.draw.restitution[0]);
+    let restitutions = || trial.lived.iter().map(|one| one.draw.restitution());
     Answers {
         falls,
         shock: match ShockAnswer::of(shock_side, is_known) {

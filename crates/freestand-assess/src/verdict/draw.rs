@@ -30,8 +30,8 @@ pub(super) struct Draw {
     pub(super) is_thickness_along_x: bool,
     /// How far it is turned from x to y of the floor, where that is not one of two directions \[rad\].
     pub(super) yaw_rad: f64,
-    /// Of each axis.
-    pub(super) restitution: [f64; 2],
+    /// Of each axis, for landings on its right edge and on its left one.
+    restitution: [[f64; 2]; 2],
     heights: f64,
     sides: [f64; 2],
     mass: f64,
@@ -199,14 +199,16 @@ pub(super) fn draw(
 
     // One random number for both axes: they land on the same floor.
     let normal = change.normal(Group::Restitution).map(|normal| -normal);
-    let of_axis = |axis: &AxisGeometry| {
-        let median = median_restitution(subject.restitution, &axis.block);
-        match normal {
-            Some(normal) => restitution_at(median, restitution, normal),
-            None => restitution_draw(&mut stream(Group::Restitution), median, restitution),
-        }
+    let about = |median: f64| match normal {
+        Some(normal) => restitution_at(median, restitution, normal),
+        None => restitution_draw(&mut stream(Group::Restitution), median, restitution),
     };
-    let restitution = [0, 1].map(|axis| subject.axes.get(axis).map_or(0.0, of_axis));
+    // About that of the unchanged block, so that an uncertain height does not count twice.
+    let of_axis = |axis: &AxisGeometry| {
+        let medians = subject.restitution.ratios(&axis.block);
+        medians.map_or([0.0; 2], |medians| medians.map(about))
+    };
+    let restitution = [0, 1].map(|axis| subject.axes.get(axis).map_or([0.0; 2], of_axis));
 
     let mut random = stream(Group::Pad);
     let own = subject
@@ -309,23 +311,19 @@ fn wall(settings: &Settings, object: u64, world: u32, change: Change) -> WallDra
     drawn
 }
 
-/// The restitution of the unchanged block, about which it is drawn: so an uncertain height does not
-/// count twice. The larger of both edges.
-fn median_restitution(restitution: Restitution, block: &Block) -> f64 {
-    restitution
-        .ratios(block)
-        .map_or(0.0, |[one, other]| one.max(other))
-}
-
 impl Draw {
+    /// The larger restitution of both edges about its first axis.
+    pub(super) fn restitution(&self) -> f64 {
+        let [[right, left], _] = self.restitution;
+        right.max(left)
+    }
+
     /// The block about an axis, and its restitution.
     pub(super) fn block(&self, subject: &Subject, axis: usize) -> Option<(Block, Restitution)> {
         let geometry: &AxisGeometry = subject.axes.get(axis)?;
         let block = geometry.scaled(self.heights, self.sides.get(axis).copied().unwrap_or(1.0));
-        Some((
-            block,
-            Restitution::Value(self.restitution.get(axis).copied().unwrap_or(0.0).min(1.0)),
-        ))
+        let of_edges = self.restitution.get(axis).copied().unwrap_or_default();
+        Some((block, Restitution::Edges(of_edges.map(|r| r.min(1.0)))))
     }
 
     /// The same with the sizes and masses of the list.
@@ -460,5 +458,34 @@ mod tests {
             }
         }
         insta::assert_snapshot!(told);
+    }
+
+    /// A centre of gravity off the middle has another restitution at each edge, as in `rock`.
+    #[test]
+    fn each_edge_has_its_own_restitution() {
+        let list = "id,level_ratio,height [mm],thickness [mm]\nrack,0,1800,500\n";
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("list.csv");
+        std::fs::write(&path, list).unwrap();
+        let libraries = Libraries::with_files(None, None).unwrap();
+        let read = libraries.looked_up(|lookup| read_inventory(&path, &ReadOptions::new(lookup)));
+        let mut settings = Settings::default();
+        settings.spread.restitution = 0.0;
+        let item = &read.unwrap().items[0];
+        let mut subject = Subject::new(item, &settings).unwrap();
+        let block = &mut subject.axes[0].block;
+        *block = block.with_cg_offset(0.06).unwrap();
+        let draw = draw(&settings, &subject, key(&item.id), 3, Change::None);
+        let (_, drawn) = draw.block(&subject, 0).unwrap();
+        let block = &subject.axes[0].block;
+        let [drawn, stated] = [drawn, Restitution::Housner].map(|one| one.ratios(block).unwrap());
+        assert!((stated[0] - stated[1]).abs() > 0.02);
+        // Through the logit of the loss and back.
+        for edge in [0, 1] {
+            assert!(
+                (drawn[edge] - stated[edge]).abs() < 1e-12,
+                "{drawn:?} {stated:?}"
+            );
+        }
     }
 }

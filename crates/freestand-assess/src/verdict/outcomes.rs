@@ -93,7 +93,7 @@ fn outcome<'a>(
         demand_capacity_ratio: demand_capacity_ratio.filter(|_| capacity.is_some()),
         lift_m,
         edge_acceleration_g,
-        restitution: lived.draw.restitution[0],
+        restitution: lived.draw.restitution(),
         stiffness_n_m: body
             .as_ref()
             .and_then(|(_, cushion)| cushion.linear_stiffness_n_m()),

@@ -307,5 +307,6 @@ pub(super) fn restitution_words(restitution: Restitution) -> String {
         Restitution::Housner => "Housner".to_owned(),
         Restitution::Value(value) => value.to_string(),
         Restitution::Factor(factor) => format!("{factor} × Housner"),
+        Restitution::Edges([right, left]) => format!("{right} and {left}"),
     }
 }

@@ -142,13 +142,20 @@ impl Edge {
     }
 
     /// Whether a block that leaves the floor with the velocity w does not reach its balance point on a base
-    /// at rest.
+    /// at rest, or meets a wall before it.
     pub(super) fn swings_back(&self, w: f64) -> bool {
         let alpha = self.pivot.slenderness_angle_rad;
+        self.ceiling() < alpha || self.stays_on_its_side(0.0, w)
+    }
+
+    /// Whether a block at the rotation y with the velocity w does not pass its balance point on a base at rest:
+    /// ½w² < p²(1 − cos(α−y)).
+    pub(super) fn stays_on_its_side(&self, y: f64, w: f64) -> bool {
+        let phi = self.pivot.slenderness_angle_rad - y;
         let climb = if self.linearised {
-            0.5 * alpha * alpha
+            0.5 * phi * phi
         } else {
-            1.0 - alpha.cos()
+            1.0 - phi.cos()
         };
         0.5 * w * w < self.p2 * climb
     }

@@ -87,6 +87,8 @@ pub enum Restitution {
     Value(f64),
     /// Housner's ratio times a factor.
     Factor(f64),
+    /// One value in \[0, 1\] for landings on the right edge, and one for those on the left.
+    Edges([f64; 2]),
 }
 
 /// The accuracy of a history: the relative truncation error of each Taylor step in [`rock`]. In
@@ -576,6 +578,7 @@ impl Restitution {
             Self::Housner => housner,
             Self::Value(value) => [value; 2],
             Self::Factor(factor) => housner.map(|r| factor * r),
+            Self::Edges(values) => values,
         };
         match ratios.into_iter().find(|r| !(0.0..=1.0).contains(r)) {
             Some(value) => Err(RockingError::Restitution { value }),

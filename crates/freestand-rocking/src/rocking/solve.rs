@@ -758,33 +758,30 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
     }
 
     fn finish(self) -> Rocking {
-        let is_certain = match self.phase {
-            // On a base at rest no impact adds energy: too little of it to pass a balance point stays too little.
-            Phase::Moving { edge, y, w, .. } => {
-                let about = &self.edges[edge];
-                let speed = about.landing_speed(y, w);
-                self.settle
-                    && self.intervals.end_at_rest()
-                    && y < about.pivot.slenderness_angle_rad
-                    && self.edges.iter().all(|edge| edge.swings_back(speed))
-            }
-            Phase::Rest | Phase::Leaning { .. } => true,
-        };
-        let mut result = self.result;
-        if !is_certain {
-            result.outcome = Outcome::Unresolved;
-        }
         let (edge, y, w) = match self.phase {
             Phase::Rest => (RIGHT, 0.0, 0.0),
             Phase::Moving { edge, y, w, .. } => (edge, y, w),
             Phase::Leaning { edge } => (edge, self.edges[edge].ceiling(), 0.0),
         };
+        let is_followed = self.settle && self.intervals.end_at_rest();
+        let about = &self.edges[edge];
+        // On a base at rest no impact adds energy: too little of it to pass a balance point stays too little.
+        let cannot_fall = || {
+            let speed = about.landing_speed(y, w);
+            let is_before = y < about.pivot.slenderness_angle_rad;
+            is_followed && is_before && self.edges.iter().all(|edge| edge.swings_back(speed))
+        };
+        let mut result = self.result;
+        if !(matches!(self.phase, Phase::Rest) || cannot_fall()) {
+            result.outcome = Outcome::Unresolved;
+        }
         result.at_rest = matches!(self.phase, Phase::Rest);
         result.leaning = matches!(self.phase, Phase::Leaning { .. });
         if !result.at_rest {
             let Edge { side, pivot, .. } = self.edges[edge];
             (result.final_rotation_rad, result.final_omega_rad_s) = (side * y, side * w);
-            if (self.bounced || result.leaning) && y >= pivot.slenderness_angle_rad {
+            let is_past = (self.bounced || result.leaning) && y >= pivot.slenderness_angle_rad;
+            if is_past && (!is_followed || self.edges[edge].stays_on_its_side(y, w)) {
                 result.outcome = Outcome::Leaned;
             }
         }

@@ -438,7 +438,11 @@ fn summary(
         State::Untouched => (Outcome::NoUplift, over),
         State::Overturned => (Outcome::Overturned, StopReason::Overturned),
         // It is followed no further than the last sample.
-        State::Moving if !settle => (Outcome::Unresolved, over),
+        State::Moving
+        | State::Leaning {
+            past_balance: false,
+            ..
+        } if !settle => (Outcome::Unresolved, over),
         State::Moving => (Outcome::Rocked, StopReason::EndOfMotion),
         State::AtRest | State::GivenUp | State::Leaning { .. } => (Outcome::Rocked, over),
     };

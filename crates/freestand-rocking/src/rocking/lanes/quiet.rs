@@ -64,7 +64,9 @@ pub(super) fn tail(rocker: &Rocker, mut edge: usize, y: f64, w: f64, rest: f64) 
 pub(super) fn cannot_fall(rocker: &Rocker, edge: usize, y: f64, w: f64) -> bool {
     let terms = &rocker.edges[edge];
     let speed = landing_speed(terms, y, w);
-    let returns = |terms| turning_point(terms, 0.0, speed).is_some();
+    let returns = |terms: &EdgeTerms| {
+        terms.ceiling < terms.alpha || turning_point(terms, 0.0, speed).is_some()
+    };
     y < terms.alpha && rocker.edges.iter().all(returns)
 }
 

@@ -428,7 +428,7 @@ pub(super) const COLUMNS: &[Column] = &[
         |l| {
             of_item(l, |item| match item.restitution {
                 Restitution::Value(value) => Some(value),
-                Restitution::Housner | Restitution::Factor(_) => None,
+                Restitution::Housner | Restitution::Factor(_) | Restitution::Edges(_) => None,
             })
         },
     ),
@@ -439,7 +439,7 @@ pub(super) const COLUMNS: &[Column] = &[
         |l| {
             of_item(l, |item| match item.restitution {
                 Restitution::Factor(factor) => Some(factor),
-                Restitution::Housner | Restitution::Value(_) => None,
+                Restitution::Housner | Restitution::Value(_) | Restitution::Edges(_) => None,
             })
         },
     ),
