@@ -13,6 +13,7 @@ use crate::result::{Assessment, Decision};
 use crate::two_spectra::{refuse_outcomes, worse};
 use crate::verdict::{
     Context, Grouped, Member, Subject, WriteOutcomes, assess_group, blank, forces_by_sizes,
+    levels_ratio,
 };
 pub use crate::verdict::{Estimate, TellEstimates, Watch, usual_effort};
 use crate::worlds::Worlds;
@@ -273,11 +274,8 @@ impl<'a: 's, 's> Assessor<'a, 's> {
 
     /// For a run that states the peaks of the floors of these objects in every world.
     fn with_peaks_of(self, items: &[Item]) -> Self {
-        let mut levels: Vec<f64> = items.iter().filter_map(|item| item.level_ratio).collect();
-        levels.sort_unstable_by(f64::total_cmp);
-        levels.dedup();
         Self {
-            peaks_at_ratio: levels.into(),
+            peaks_at_ratio: levels_ratio(items.iter()).into(),
             ..self
         }
     }

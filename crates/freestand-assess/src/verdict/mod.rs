@@ -61,6 +61,7 @@ pub use object::{HULL_FRICTION_RATIO, middle};
 pub(crate) use object::{Subject, round_body};
 pub use outcomes::{OutcomeRow, WriteOutcomes};
 pub use tally::Tally;
+pub(crate) use watch::levels_ratio;
 pub use watch::{Estimate, TellEstimates, Watch, usual_effort};
 
 /// What all objects share.

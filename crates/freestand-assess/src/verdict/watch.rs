@@ -205,14 +205,18 @@ fn of_objects(settings: &Settings, items: &[Item]) -> f64 {
 /// needed in as many as its objects.
 fn of_floors(settings: &Settings, items: &[Item]) -> f64 {
     let followed = || items.iter().filter(|item| is_followed(item));
-    let mut levels: Vec<u64> = followed()
-        .filter_map(|item| item.level_ratio.map(f64::to_bits))
-        .collect();
-    levels.sort_unstable();
-    levels.dedup();
+    let levels = levels_ratio(followed());
     let most = f64::from(settings.worlds.looks.most());
     let ground = (USUAL_SHARE * followed().count() as f64).min(1.0) * GROUND as f64;
     most * (ground + USUAL_SHARE * (FLOOR * levels.len() as u64) as f64)
+}
+
+/// The floors of objects, each once, from the lowest.
+pub(crate) fn levels_ratio<'i>(items: impl Iterator<Item = &'i Item>) -> Vec<f64> {
+    let mut levels: Vec<f64> = items.filter_map(|item| item.level_ratio).collect();
+    levels.sort_unstable_by(f64::total_cmp);
+    levels.dedup();
+    levels
 }
 
 fn is_followed(item: &Item) -> bool {

@@ -149,13 +149,13 @@ impl Edge {
     }
 
     /// Whether a block at the rotation y with the velocity w does not pass its balance point on a base at rest:
-    /// ½w² < p²(1 − cos(α−y)).
+    /// ½w² < p²(1 − cos(α−y)) = 2p² sin²((α−y)/2).
     pub(super) fn stays_on_its_side(&self, y: f64, w: f64) -> bool {
         let phi = self.pivot.slenderness_angle_rad - y;
         let climb = if self.linearised {
             0.5 * phi * phi
         } else {
-            1.0 - phi.cos()
+            2.0 * (0.5 * phi).sin().powi(2)
         };
         0.5 * w * w < self.p2 * climb
     }

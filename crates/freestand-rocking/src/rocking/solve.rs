@@ -778,10 +778,12 @@ impl<'a, F: FnMut(&Segment)> Solver<'a, F> {
         result.at_rest = matches!(self.phase, Phase::Rest);
         result.leaning = matches!(self.phase, Phase::Leaning { .. });
         if !result.at_rest {
-            let Edge { side, pivot, .. } = self.edges[edge];
-            (result.final_rotation_rad, result.final_omega_rad_s) = (side * y, side * w);
-            let is_past = (self.bounced || result.leaning) && y >= pivot.slenderness_angle_rad;
-            if is_past && (!is_followed || self.edges[edge].stays_on_its_side(y, w)) {
+            (result.final_rotation_rad, result.final_omega_rad_s) =
+                (about.side * y, about.side * w);
+            // Long after the motion a block that bounces must not have energy enough to come back.
+            let is_held =
+                result.leaning || self.bounced && (!is_followed || about.stays_on_its_side(y, w));
+            if is_held && y >= about.pivot.slenderness_angle_rad {
                 result.outcome = Outcome::Leaned;
             }
         }
